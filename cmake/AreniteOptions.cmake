@@ -1,0 +1,30 @@
+# The project's own switches. The backend (OpenMP, CUDA) is Kokkos' business: see CMakePresets.json.
+option(ARENITE_ENABLE_TESTS "Build the test suite" ${PROJECT_IS_TOP_LEVEL})
+option(ARENITE_ENABLE_PERF "Build the kernel benchmarks" OFF)
+option(ARENITE_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+set(ARENITE_SANITIZE "" CACHE STRING "Sanitizers for host code, for example address,undefined")
+foreach(part MPI HDF5 VTK)
+  set(ARENITE_ENABLE_${part} "AUTO" CACHE STRING "Use ${part}: AUTO (if found), ON or OFF")
+  set_property(CACHE ARENITE_ENABLE_${part} PROPERTY STRINGS AUTO ON OFF)
+endforeach()
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+# Flags of every target of ours. No contraction on the host: a fused multiply-add here and not there
+# would make the bits depend on the compiler's mood (same bits for any thread count, across a restart).
+add_library(arenite_flags INTERFACE)
+target_include_directories(arenite_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_features(arenite_flags INTERFACE cxx_std_20)
+target_compile_options(arenite_flags INTERFACE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(ARENITE_WARNINGS_AS_ERRORS)
+  target_compile_options(arenite_flags INTERFACE -Werror)
+endif()
+if(ARENITE_SANITIZE)
+  target_compile_options(arenite_flags INTERFACE -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(arenite_flags INTERFACE -fsanitize=${ARENITE_SANITIZE})
+endif()

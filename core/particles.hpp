@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The grains' state: one struct that owns every per-grain View. Rows 0 .. count-1 are owned by this
+// rank; rows count .. count+ghosts-1 are copies of other ranks' grains. Rows move when the grains are
+// sorted for locality; a grain is known by its id, never by its row.
+#pragma once
+
+#include "core/types.hpp"
+#include "core/vec3.hpp"
+
+#include <vector>
+
+namespace arenite {
+
+/// How a grain moves.
+enum class Motion : std::uint8_t {
+    free = 0,
+    held = 1,       // neither moves nor turns, feels and exerts forces
+    prescribed = 2, // keeps its velocity and spin whatever the forces
+};
+
+struct Particles {
+    int count = 0;  // owned grains
+    int ghosts = 0; // copies of grains that another rank owns
+
+    RecordView position;          // [grain](x, y, z, radius), m
+    RecordView velocity;          // [grain](vx, vy, vz, mass), m/s and kg
+    RecordView spin;              // [grain](wx, wy, wz, moment of inertia), rad/s and kg m2
+    RecordView force;             // [grain](Fx, Fy, Fz, -), N: contacts, walls and everything else, at the last force evaluation
+    RecordView torque;            // [grain](Tx, Ty, Tz, -), N m
+    View1<GrainId> id;            // [grain]
+    View1<std::uint8_t> material; // [grain] row of the material table
+    View1<std::int16_t> size_class; // [grain] class of the size distribution that the grain stands for
+    View1<Motion> motion;         // [grain]
+
+    RecordView applied_force;     // [grain](Fx, Fy, Fz, -), N: constant forces of the scene; empty if it names none
+    RecordView fluid_force;       // [grain](Fx, Fy, Fz, -), N: held between fluid steps; empty without fluid
+
+    int rows() const { return count + ghosts; }
+};
+
+/// One grain on the host, as a size distribution or a CSV file makes it.
+struct Grain {
+    Vec3 position;      // m
+    Real diameter = 0;  // m
+    Vec3 velocity;      // m/s
+    Vec3 spin;          // rad/s
+    int material = 0;   // row of the material table
+    int size_class = 0;
+    GrainId id = -1;    // -1: numbered in order
+    Motion motion = Motion::free;
+    Vec3 applied_force; // N
+};
+
+/// Uploads grains; mass and inertia follow from the diameter and densities[material] [kg/m3].
+/// Throws InputError for a diameter that is not positive or an id that occurs twice.
+Particles make_particles(std::vector<Grain> const& grains, std::vector<Real> const& densities);
+
+/// The owned grains as they are now, in row order.
+std::vector<Grain> download(Particles const& particles);
+
+/// Puts row order[i] into row i, for every View that is allocated. order: [count] rows.
+void permute(Particles& particles, View1<int> const& order);
+
+/// Keeps the rows for which keep is 1, in their order; returns how many were dropped.
+int compact(Particles& particles, View1<int> const& keep);
+
+} // namespace arenite

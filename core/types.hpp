@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The scalar type, the Kokkos spaces and the View aliases that everything else is written in.
+// This is the only file that names a Kokkos space.
+#pragma once
+
+#include <Kokkos_Core.hpp>
+
+#include <cstdint>
+
+namespace arenite {
+
+using Real = double; // positions need it: a float ULP at 18 mm is 2 % of a JKR pull-off overlap
+
+using ExecutionSpace = Kokkos::DefaultExecutionSpace;
+using MemorySpace = ExecutionSpace::memory_space;
+using HostSpace = Kokkos::HostSpace;
+
+using RangePolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>>;
+using TeamPolicy = Kokkos::TeamPolicy<ExecutionSpace>;
+
+template <class T> using View1 = Kokkos::View<T*, MemorySpace>;
+
+/// [item][component]; one record of four reals is 32 bytes, a GPU memory sector and half a CPU cache
+/// line, so that reading a neighbour costs one transaction. LayoutRight on every backend for that reason.
+using RecordView = Kokkos::View<Real* [4], Kokkos::LayoutRight, MemorySpace>;
+
+/// Grid field [i][j][k], i fastest on every backend.
+using FieldView = Kokkos::View<Real***, Kokkos::LayoutLeft, MemorySpace>;
+
+using GrainId = std::int64_t; // global, never reused: contacts, bonds and random numbers are keyed by it
+
+} // namespace arenite
