@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "core/particles.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <unordered_set>
+
+namespace arenite {
+namespace {
+
+Real sphere_volume(Real radius) { return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius; }
+
+void check_grains(std::vector<Grain> const& grains)
+{
+    std::unordered_set<GrainId> seen;
+    std::string faults;
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        Grain const& grain = grains[i];
+        if (!(grain.diameter > 0))
+            faults += fmt::format("grain {}: the diameter is {} m, it must be positive\n", i + 1, grain.diameter);
+        if (grain.id >= 0 && !seen.insert(grain.id).second)
+            faults += fmt::format("grain {}: the id {} occurs twice\n", i + 1, grain.id);
+    }
+    if (!faults.empty()) throw InputError(faults.substr(0, faults.size() - 1));
+}
+
+template <class ViewType> void reorder(ViewType& view, View1<int> const& order, int count)
+{
+    if (!view.is_allocated()) return;
+    ViewType sorted(Kokkos::view_alloc(view.label(), Kokkos::WithoutInitializing), view.layout());
+    auto const source = view;
+    Kokkos::parallel_for(
+        "reorder", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
+            if constexpr (ViewType::rank == 2)
+                for (int c = 0; c < 4; ++c) sorted(row, c) = source(order(row), c);
+            else
+                sorted(row) = source(order(row));
+        });
+    view = sorted;
+}
+
+template <class Operation> void for_each_view(Particles& particles, Operation const& operation)
+{
+    operation(particles.position);
+    operation(particles.velocity);
+    operation(particles.spin);
+    operation(particles.force);
+    operation(particles.torque);
+    operation(particles.id);
+    operation(particles.material);
+    operation(particles.size_class);
+    operation(particles.motion);
+    operation(particles.applied_force);
+    operation(particles.fluid_force);
+}
+
+} // namespace
+
+Particles make_particles(std::vector<Grain> const& grains, std::vector<Real> const& densities)
+{
+    check_grains(grains);
+    int const count = static_cast<int>(grains.size());
+    Particles particles;
+    particles.count = count;
+    particles.position = RecordView("position", count);
+    particles.velocity = RecordView("velocity", count);
+    particles.spin = RecordView("spin", count);
+    particles.force = RecordView("force", count);
+    particles.torque = RecordView("torque", count);
+    particles.id = View1<GrainId>("id", count);
+    particles.material = View1<std::uint8_t>("material", count);
+    particles.size_class = View1<std::int16_t>("size_class", count);
+    particles.motion = View1<Motion>("motion", count);
+    bool const has_applied = std::any_of(grains.begin(), grains.end(), [](Grain const& g) { return !(g.applied_force == Vec3{}); });
+    if (has_applied) particles.applied_force = RecordView("applied_force", count);
+
+    auto const position = Kokkos::create_mirror_view(particles.position);
+    auto const velocity = Kokkos::create_mirror_view(particles.velocity);
+    auto const spin = Kokkos::create_mirror_view(particles.spin);
+    auto const applied = Kokkos::create_mirror_view(particles.applied_force);
+    auto const id = Kokkos::create_mirror_view(particles.id);
+    auto const material = Kokkos::create_mirror_view(particles.material);
+    auto const size_class = Kokkos::create_mirror_view(particles.size_class);
+    auto const motion = Kokkos::create_mirror_view(particles.motion);
+    for (int i = 0; i < count; ++i) {
+        Grain const& grain = grains[i];
+        Real const radius = grain.diameter / 2;
+        Real const mass = densities.at(grain.material) * sphere_volume(radius);
+        set_vector(position, i, grain.position);
+        position(i, 3) = radius;
+        set_vector(velocity, i, grain.velocity);
+        velocity(i, 3) = mass;
+        set_vector(spin, i, grain.spin);
+        spin(i, 3) = Real(0.4) * mass * radius * radius;
+        id(i) = grain.id >= 0 ? grain.id : i;
+        material(i) = static_cast<std::uint8_t>(grain.material);
+        size_class(i) = static_cast<std::int16_t>(grain.size_class);
+        motion(i) = grain.motion;
+        if (has_applied) set_vector(applied, i, grain.applied_force);
+    }
+    Kokkos::deep_copy(particles.position, position);
+    Kokkos::deep_copy(particles.velocity, velocity);
+    Kokkos::deep_copy(particles.spin, spin);
+    if (has_applied) Kokkos::deep_copy(particles.applied_force, applied);
+    Kokkos::deep_copy(particles.id, id);
+    Kokkos::deep_copy(particles.material, material);
+    Kokkos::deep_copy(particles.size_class, size_class);
+    Kokkos::deep_copy(particles.motion, motion);
+    return particles;
+}
+
+std::vector<Grain> download(Particles const& particles)
+{
+    auto const position = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.position);
+    auto const velocity = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.velocity);
+    auto const spin = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.spin);
+    auto const id = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.id);
+    auto const material = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.material);
+    auto const size_class = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.size_class);
+    auto const motion = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.motion);
+    auto const applied = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.applied_force);
+    std::vector<Grain> grains(particles.count);
+    for (int i = 0; i < particles.count; ++i) {
+        Grain& grain = grains[i];
+        grain.position = vector_of(position, i);
+        grain.diameter = 2 * position(i, 3);
+        grain.velocity = vector_of(velocity, i);
+        grain.spin = vector_of(spin, i);
+        grain.material = material(i);
+        grain.size_class = size_class(i);
+        grain.id = id(i);
+        grain.motion = motion(i);
+        if (applied.is_allocated()) grain.applied_force = vector_of(applied, i);
+    }
+    return grains;
+}
+
+void permute(Particles& particles, View1<int> const& order)
+{
+    for_each_view(particles, [&](auto& view) { reorder(view, order, particles.count); });
+}
+
+int compact(Particles& particles, View1<int> const& keep)
+{
+    int const before = particles.count;
+    View1<int> order("kept_rows", before);
+    int kept = 0;
+    Kokkos::parallel_scan(
+        "kept_rows", RangePolicy(0, before),
+        KOKKOS_LAMBDA(int row, int& offset, bool last) {
+            if (last && keep(row)) order(offset) = row;
+            offset += keep(row) ? 1 : 0;
+        },
+        kept);
+    permute(particles, order); // rows past `kept` hold copies of row 0 and are not used
+    particles.count = kept;
+    return before - kept;
+}
+
+} // namespace arenite
