@@ -25,6 +25,7 @@ struct MaterialSettings {
     Real friction = 0;         // >= 0
     Real surface_energy = 0;   // J/m2 at k = 1, gamma of paper eq 12 (the work of adhesion is 2 gamma)
     bool rigid = false;        // a wall that does not deform: 1/E = 0
+    bool operator==(MaterialSettings const&) const = default;
 };
 
 enum class NormalLaw { hertz, jkr, modified_jkr };
@@ -40,6 +41,7 @@ struct ContactSettings {
     FrictionLimit friction_limit = FrictionLimit::thornton;
     TangentialLaw tangential = TangentialLaw::secant;
     DampingLaw damping = DampingLaw::restitution;
+    bool operator==(ContactSettings const&) const = default;
 };
 
 /// Values of a material pair that do not follow from its two materials.
@@ -47,6 +49,7 @@ struct InteractionSettings {
     std::array<std::string, 2> materials;
     std::optional<Real> restitution, friction, surface_energy;
     std::optional<ContactSettings> contact; // instead of the stage's law
+    bool operator==(InteractionSettings const&) const = default;
 };
 
 // ---------------------------------------------------------------- grains
@@ -56,23 +59,36 @@ enum class CoarseGraining { none, ssw, ssp };
 struct CoarseGrainingSettings {
     CoarseGraining scheme = CoarseGraining::none;
     Real factor = 1; // k = grain diameter / original diameter
+    bool operator==(CoarseGrainingSettings const&) const = default;
 };
 
 struct Region { // axis-parallel box
     Vec3 lower, upper; // m
+    bool operator==(Region const&) const = default;
 };
 
 enum class ParticleSource { none, distribution, file, checkpoint };
+
+/// Diameters whose logarithms are normally distributed, cut at both ends.
+struct LognormalSettings {
+    Real median = 0;                  // m
+    Real sigma = 0;                   // standard deviation of ln(diameter)
+    Real minimum = 0, maximum = 0;    // m
+    int classes = 10;                 // of equal width in ln(diameter)
+    bool operator==(LognormalSettings const&) const = default;
+};
 
 struct DistributionSettings {
     bool by_mass = true;              // fractions by mass, else by number
     std::vector<Real> diameters;      // m, of the original grains (k = 1), ascending
     std::vector<Real> fractions;      // sum 1
+    std::optional<LognormalSettings> lognormal; // only while reading: the reader makes the classes and drops it
     // How many: exactly one of the three is positive.
     int count = 0;                    // grains (after coarse graining)
     Real solid_volume = 0;            // m3 of grains
     Real solid_fraction = 0;          // of the region's volume
     std::optional<Region> region;     // where the grains are put; the domain unless named
+    bool operator==(DistributionSettings const&) const = default;
 };
 
 struct ParticlesSettings {
@@ -81,6 +97,7 @@ struct ParticlesSettings {
     DistributionSettings distribution;
     std::string file;                 // CSV of grains, or a checkpoint
     bool held = false;                // every grain is frozen in place
+    bool operator==(ParticlesSettings const&) const = default;
 };
 
 /// Something done to chosen grains for the whole run.
@@ -93,6 +110,7 @@ struct GrainGroupSettings {
     bool held = false;                // neither moves nor turns
     std::optional<Vec3> velocity;     // m/s: moves so whatever the forces
     std::optional<Vec3> spin;         // rad/s, with velocity
+    bool operator==(GrainGroupSettings const&) const = default;
 };
 
 // ---------------------------------------------------------------- walls
@@ -103,6 +121,7 @@ struct HoleSettings {
     std::string name;
     Vec3 center;            // m, projected on the plane
     Real diameter = 0;      // m
+    bool operator==(HoleSettings const&) const = default;
 };
 
 struct WallSettings {
@@ -123,6 +142,7 @@ struct WallSettings {
     Real scale = 1;
     Vec3 offset;
     bool present = true;    // at the start of the run; stages add and remove
+    bool operator==(WallSettings const&) const = default;
 };
 
 /// Drives a wall along its axis so that the force on it meets a target (compression positive).
@@ -132,6 +152,7 @@ struct ServoSettings {
     Real area = 0;          // m2; 0: of the domain's cross-section normal to the axis
     Vec3 axis;              // unit; direction in which the wall moves to press
     Real max_speed = 0;     // m/s
+    bool operator==(ServoSettings const&) const = default;
 };
 
 /// What a stage does with a wall; a wall that a stage does not name stays as it is, at rest.
@@ -145,12 +166,14 @@ struct WallAction {
     std::optional<Real> travel;              // m: goes this far along velocity ...
     bool and_back = false;                   // ... and returns at the same speed
     std::optional<Real> ramp_time;           // s over which velocity is reached and left
+    bool operator==(WallAction const&) const = default;
 };
 
 // ---------------------------------------------------------------- fluid
 
 enum class DragLaw { none, di_felice, di_felice_literal, gidaspow, beetstra, stokes, schiller_naumann, constant };
 enum class ConvectionScheme { none, central, limited, upwind };
+enum class VoidFractionMethod { kernel };             // conservative kernel deposit of a length of its own
 enum class ViscousForm { n_div_tau };                 // n div(tau), tau = mu (grad u + grad u^T - 2/3 div u)
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 enum class PatchKind { wall, slip, velocity, pressure, periodic };
@@ -167,6 +190,7 @@ struct PatchSettings {
     Region rectangle;        // m
     Vec3 velocity;           // velocity and moving walls, m/s, superficial (n u) for kind velocity
     Real pressure = 0;       // Pa
+    bool operator==(PatchSettings const&) const = default;
 };
 
 struct FluidSettings {
@@ -175,10 +199,12 @@ struct FluidSettings {
     std::string fit_wall;                   // name of a plane wall whose position ends the box along its normal; "" none
     Real density = 998.2;                   // kg/m3
     Real viscosity = 1e-3;                  // Pa s
-    Real time_step = 0;                     // s, a whole number of grain steps
+    Real time_step = 0;                     // s, a whole number of grain steps; or
+    int coupling_interval = 0;              // grain steps per fluid step
     ConvectionScheme convection = ConvectionScheme::limited;
     DragLaw drag = DragLaw::di_felice;
     Real drag_constant = 0;                 // N s/m, for DragLaw::constant: f = constant * slip velocity
+    VoidFractionMethod void_fraction = VoidFractionMethod::kernel;
     Real smoothing_length = 0;              // m, support radius of the deposit kernel; 0: 1.5 cells
     Real pressure_tolerance = 1e-8;         // relative residual of the pressure solve
     Real minimum_porosity = 0.2;            // below: counted, reported, limited
@@ -188,6 +214,7 @@ struct FluidSettings {
     Real initial_pressure = 0;              // Pa
     std::vector<PatchSettings> patches;
     Real porosity = 1;                      // of the fluid alone, where no grains are
+    bool operator==(FluidSettings const&) const = default;
 };
 
 // ---------------------------------------------------------------- stages
@@ -209,6 +236,7 @@ struct EndSettings {
         return kinetic_energy_ratio || kinetic_energy || !stress_wall.empty() || porosity || !position_wall.empty() ||
                wall_travel_done;
     }
+    bool operator==(EndSettings const&) const = default;
 };
 
 /// How the driver makes the grains or brings them to a state by a path faster than the real one.
@@ -223,6 +251,7 @@ struct BoxSettings {
     std::array<std::optional<Real>, 3> strain_rate; // 1/s, positive stretches
     std::array<std::optional<Real>, 3> stress;      // Pa, compression positive
     Real max_strain_rate = 0;                       // 1/s, for the axes under stress
+    bool operator==(BoxSettings const&) const = default;
 };
 
 struct StageSettings {
@@ -235,14 +264,17 @@ struct StageSettings {
     ContactSettings contact;
     ContactSettings wall_contact;            // grain-wall pairs: Hertz unless named
     std::map<std::string, MaterialSettings> materials; // overrides for this stage, complete, by name
+    std::vector<InteractionSettings> interactions; // instead of the scene's entries of the same pairs, complete
     std::optional<Vec3> gravity;             // instead of the domain's
     std::vector<WallAction> walls;
     std::string outlet_wall;                 // grains that are through an open hole of this wall leave; "" none
     bool fluid = false;
     Real local_damping = 0;                  // 0..1: fraction of the unbalanced force that opposes motion (quasi-static only)
     std::optional<BoxSettings> box;
+    std::optional<Real> history_interval, field_interval, checkpoint_interval; // s, instead of the output's
     // compression
     Real target_porosity = 0;                // 0: whatever friction gives
+    bool operator==(StageSettings const&) const = default;
 };
 
 // ---------------------------------------------------------------- output
@@ -251,6 +283,7 @@ struct ProbeSettings {
     std::string name;
     std::optional<long long> grain;          // id; or
     std::optional<Vec3> point;               // m, the cell that holds it
+    bool operator==(ProbeSettings const&) const = default;
 };
 
 struct StreamlineSettings {
@@ -260,6 +293,7 @@ struct StreamlineSettings {
     std::optional<Vec3> disc_center, disc_normal;
     Real disc_radius = 0;
     Real max_length = 0;                     // m; 0: four box diagonals
+    bool operator==(StreamlineSettings const&) const = default;
 };
 
 struct OutputSettings {
@@ -267,8 +301,13 @@ struct OutputSettings {
     Real field_interval = 0;                 // s; 0: first and last state of every stage
     Real checkpoint_interval = 0;            // s; 0: at the end of every stage
     bool energies = false;                   // the balance sheet
+    // What the files of grains and of the fluid hold beside positions.
+    std::vector<std::string> grain_fields{"id",    "diameter", "class",       "material",     "velocity", "spin",
+                                          "force", "torque",   "fluid_force", "coordination", "bonds"};
+    std::vector<std::string> fluid_fields{"velocity", "pressure", "porosity"};
     std::vector<ProbeSettings> probes;
     StreamlineSettings streamlines;
+    bool operator==(OutputSettings const&) const = default;
 };
 
 // ---------------------------------------------------------------- the whole
@@ -277,6 +316,7 @@ struct DomainSettings {
     Vec3 lower, upper;                        // m
     std::array<bool, 3> periodic{false, false, false};
     Vec3 gravity;                             // m/s2
+    bool operator==(DomainSettings const&) const = default;
 };
 
 struct Scene {
@@ -295,6 +335,7 @@ struct Scene {
     OutputSettings output;
     std::string resolved;                     // the scene with every default filled in, as TOML
     unsigned long long hash = 0;              // of resolved
+    bool operator==(Scene const&) const = default;
 };
 
 } // namespace arenite
