@@ -28,17 +28,24 @@ void check_grains(std::vector<Grain> const& grains)
     if (!faults.empty()) throw InputError(faults.substr(0, faults.size() - 1));
 }
 
-template <class ViewType> void reorder(ViewType& view, View1<int> const& order, int count)
+template <class T> void reorder(View1<T>& view, View1<int> const& order, int count)
 {
     if (!view.is_allocated()) return;
-    ViewType sorted(Kokkos::view_alloc(view.label(), Kokkos::WithoutInitializing), view.layout());
-    auto const source = view;
+    View1<T> const sorted(Kokkos::view_alloc(view.label(), Kokkos::WithoutInitializing), view.extent(0));
+    View1<T> const source = view;
     Kokkos::parallel_for(
-        "reorder", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
-            if constexpr (ViewType::rank == 2)
-                for (int c = 0; c < 4; ++c) sorted(row, c) = source(order(row), c);
-            else
-                sorted(row) = source(order(row));
+        "reorder", RangePolicy(0, count), KOKKOS_LAMBDA(int row) { sorted(row) = source(order(row)); });
+    view = sorted;
+}
+
+void reorder(RecordView& view, View1<int> const& order, int count)
+{
+    if (!view.is_allocated()) return;
+    RecordView const sorted(Kokkos::view_alloc(view.label(), Kokkos::WithoutInitializing), view.extent(0));
+    RecordView const source = view;
+    Kokkos::parallel_for(
+        "reorder_records", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
+            for (int c = 0; c < 4; ++c) sorted(row, c) = source(order(row), c);
         });
     view = sorted;
 }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The pairs of grains that touch or are close to, with what each contact remembers. Contact-centric: a pair
+// is evaluated once and writes its force into its own row; a grain gathers its rows in the order of its
+// partners' ids. So the bits depend on ids and positions only, not on threads, on how the grains happen
+// to be sorted, or on when the list was built.
+//
+// The first grain of a pair owns the row: of two grains of one size level the one with the lower id, of
+// two levels the smaller grain. The normal points from second to first.
+#pragma once
+
+#include "core/periodic_box.hpp"
+#include "core/types.hpp"
+
+namespace arenite {
+
+/// What a contact law wants remembered; what it does not want is not allocated.
+struct ContactNeeds {
+    bool history = false; // a tangential spring
+    bool bonds = false;   // adhering contacts
+};
+
+/// One row of forces is 64 bytes: force on first (x, y, z), arm of first; normal x force (x, y, z), arm of second.
+using ForceRows = Kokkos::View<Real* [8], Kokkos::LayoutRight, MemorySpace>;
+
+struct ContactList {
+    int count = 0;                   // pairs within the cutoff
+    ContactNeeds needs;
+    bool periodic = false;
+
+    View1<int> row_begin;            // [grain + 1] contacts that grain owns
+    View1<int> first, second;        // [contact] rows of the two grains
+    View1<std::uint8_t> image;       // [contact] image code of second; empty in a closed box
+    RecordView scale;                // [contact](R* m, m* kg, R*^(1/3) m^(1/3), -)
+    View1<std::uint8_t> touching;    // [contact] carried a force at the last evaluation
+    View1<std::uint8_t> adhering;    // [contact] follows the JKR curve; empty without bonds
+    RecordView spring;               // [contact](xi x, y, z m, previous a m); empty without history
+    ForceRows force;                 // [contact] N and m, valid where touching
+
+    View1<int> incident_begin;       // [grain + 1]
+    View1<int> incident;             // [2 contact] contact * 2 + (1 where the grain is second), by partner id
+
+    RecordView reference_position;   // [grain] where the grains were when the list was built
+    Real skin = 0;                   // m: pairs closer than skin are listed
+};
+
+} // namespace arenite

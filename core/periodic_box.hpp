@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The grains' box. On a periodic axis a contact reaches across the faces: it stores the image code of its
+// second grain, and the kernels look the shift up here. Images are ghosts in the search only: a contact
+// between a grain and an image is evaluated once, keyed by the two ids, and its forces are equal and
+// opposite to the last bit, which two evaluations at shifted positions would not be.
+#pragma once
+
+#include "core/vec3.hpp"
+
+namespace arenite {
+
+struct PeriodicBox {
+    Vec3 lower, upper;                       // m
+    bool periodic[3] = {false, false, false};
+    Vec3 strain_rate;                        // 1/s, of the edges; a deforming box carries its images along
+
+    static constexpr int no_image = 13; // code of the shift (0, 0, 0)
+
+    KOKKOS_FUNCTION bool any_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
+    KOKKOS_FUNCTION Vec3 size() const { return upper - lower; }
+    KOKKOS_FUNCTION static int image_code(int sx, int sy, int sz) { return (sx + 1) + 3 * (sy + 1) + 9 * (sz + 1); }
+    KOKKOS_FUNCTION static int image_step(int code, int axis)
+    {
+        return axis == 0 ? code % 3 - 1 : (axis == 1 ? code / 3 % 3 - 1 : code / 9 - 1);
+    }
+    /// What to add to a position to get its image, m.
+    KOKKOS_FUNCTION Vec3 image_shift(int code) const
+    {
+        Vec3 const edge = size();
+        return {image_step(code, 0) * edge.x, image_step(code, 1) * edge.y, image_step(code, 2) * edge.z};
+    }
+    /// What to add to a velocity to get its image's, m/s.
+    KOKKOS_FUNCTION Vec3 image_velocity(int code) const
+    {
+        Vec3 const shift = image_shift(code);
+        return {strain_rate.x * shift.x, strain_rate.y * shift.y, strain_rate.z * shift.z};
+    }
+};
+
+} // namespace arenite

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The menu: every contact law that a stage can run. A new law is one file and one line here.
+// What differs within a law (break point, friction limit, tangential variant, moduli) is data per pair of
+// materials, so a stage that mixes dry and cemented pairs runs the adhesive law with dry rows in its table.
+#pragma once
+
+#include "kernels/contact/contact_law.hpp"
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+namespace arenite {
+
+using SmoothSand = ContactLaw<HertzNormal, NoTangential>;
+using DrySand = ContactLaw<HertzNormal, CoulombSpring>;
+using SmoothCementedSand = ContactLaw<JkrNormal, NoTangential>;
+using CementedSand = ContactLaw<JkrNormal, CoulombSpring>;
+
+using AnyContactLaw = std::variant<SmoothSand, DrySand, SmoothCementedSand, CementedSand>;
+
+/// The cheapest law that all pairs of the table can run under.
+inline AnyContactLaw make_contact_law(std::vector<PairConstants> const& pairs)
+{
+    bool const adhesive = std::any_of(pairs.begin(), pairs.end(), [](auto const& p) { return p.surface_energy > 0; });
+    bool const rough = std::any_of(pairs.begin(), pairs.end(), [](auto const& p) { return p.friction > 0; });
+    PairTable const table = upload(pairs);
+    if (adhesive && rough) return CementedSand{table};
+    if (adhesive) return SmoothCementedSand{table};
+    if (rough) return DrySand{table};
+    return SmoothSand{table};
+}
+
+} // namespace arenite

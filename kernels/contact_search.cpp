@@ -1,0 +1,503 @@
+// SPDX-License-Identifier: MIT
+#include "kernels/contact_search.hpp"
+
+#include "core/cell_list.hpp"
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace arenite {
+namespace {
+
+/// Extent of the grains and of their sizes.
+struct Bounds {
+    Vec3 lower, upper;
+    Real smallest = 0, largest = 0; // radii
+};
+
+/// Points that the search sees: the grains, then the images of those near a periodic face.
+struct SearchPoints {
+    int count = 0;
+    RecordView position;        // [point](x, y, z, radius)
+    View1<GrainId> id;          // [point]
+    View1<int> row;             // [point] grain
+    View1<std::uint8_t> image;  // [point]
+};
+
+/// A cell grid per size level; level l holds the radii in (edge[l-1], edge[l]].
+struct LevelGrids {
+    static constexpr int most = 10; // a size ratio of 2^10
+    int levels = 1;
+    Real edge[most] = {};
+    Vec3 lower[most];
+    Real cell[most] = {};
+    int cells[most][3] = {};
+    CellList list[most];
+
+    KOKKOS_FUNCTION int level_of(Real radius) const
+    {
+        int level = 0;
+        while (level < levels - 1 && radius > edge[level]) ++level;
+        return level;
+    }
+    KOKKOS_FUNCTION int cell_along(int level, int axis, Real x) const
+    {
+        int const c = static_cast<int>((x - lower[level][axis]) / cell[level]);
+        return c < 0 ? 0 : (c >= cells[level][axis] ? cells[level][axis] - 1 : c);
+    }
+    KOKKOS_FUNCTION int cell_of(int level, Vec3 const& x) const
+    {
+        return cell_along(level, 0, x.x) +
+               cells[level][0] * (cell_along(level, 1, x.y) + cells[level][1] * cell_along(level, 2, x.z));
+    }
+};
+
+Bounds find_bounds(RecordView const& position, int count)
+{
+    Bounds bounds;
+    Real low[3], high[3], smallest, largest;
+    for (int axis = 0; axis < 3; ++axis) {
+        Kokkos::parallel_reduce(
+            "find_bounds", RangePolicy(0, count),
+            KOKKOS_LAMBDA(int i, Real& least, Real& most) {
+                least = Kokkos::fmin(least, position(i, axis));
+                most = Kokkos::fmax(most, position(i, axis));
+            },
+            Kokkos::Min<Real>(low[axis]), Kokkos::Max<Real>(high[axis]));
+    }
+    Kokkos::parallel_reduce(
+        "find_radii", RangePolicy(0, count),
+        KOKKOS_LAMBDA(int i, Real& least, Real& most) {
+            least = Kokkos::fmin(least, position(i, 3));
+            most = Kokkos::fmax(most, position(i, 3));
+        },
+        Kokkos::Min<Real>(smallest), Kokkos::Max<Real>(largest));
+    bounds.lower = {low[0], low[1], low[2]};
+    bounds.upper = {high[0], high[1], high[2]};
+    bounds.smallest = smallest;
+    bounds.largest = largest;
+    return bounds;
+}
+
+void check_periodic_edges(PeriodicBox const& box, Real cutoff)
+{
+    Vec3 const size = box.size();
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.periodic[axis] && size[axis] < 2 * cutoff)
+            throw InputError(fmt::format("domain: the periodic edge along {} is {:.4g} m, shorter than two contact "
+                                         "cutoffs ({:.4g} m): a pair of grains would meet across both faces",
+                                         "xyz"[axis], size[axis], 2 * cutoff));
+}
+
+void wrap_positions(Particles const& particles, PeriodicBox const& box)
+{
+    RecordView const position = particles.position;
+    Kokkos::parallel_for(
+        "wrap_positions", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
+            Vec3 const size = box.size();
+            for (int axis = 0; axis < 3; ++axis) {
+                if (!box.periodic[axis]) continue;
+                if (position(i, axis) < box.lower[axis]) position(i, axis) += size[axis];
+                if (position(i, axis) >= box.upper[axis]) position(i, axis) -= size[axis];
+            }
+        });
+}
+
+// ---------------------------------------------------------------- locality
+
+KOKKOS_FUNCTION int spread_bits(int v) // 10 bits to every third place
+{
+    v = (v | (v << 16)) & 0x030000FF;
+    v = (v | (v << 8)) & 0x0300F00F;
+    v = (v | (v << 4)) & 0x030C30C3;
+    return (v | (v << 2)) & 0x09249249;
+}
+
+/// Rows in Morton order of coarse cells, in a cell by id: neighbours in space are neighbours in memory.
+View1<int> locality_order(Particles const& particles, Bounds const& bounds)
+{
+    constexpr int bits = 6; // 64 cells along the longest edge: 262144 bins, a few grains each at a million
+    Vec3 const extent = bounds.upper - bounds.lower;
+    Real const longest = std::fmax(extent.x, std::fmax(extent.y, extent.z));
+    Real const cell = std::fmax(longest / (1 << bits) * (1 + Real(1e-9)), 2 * bounds.largest);
+    int along = 1;
+    while (along < (1 << bits) && along * cell < longest) along *= 2;
+    View1<int> key(Kokkos::view_alloc("locality_key", Kokkos::WithoutInitializing), particles.count);
+    RecordView const position = particles.position;
+    Vec3 const lower = bounds.lower;
+    int const last = along - 1;
+    Kokkos::parallel_for(
+        "locality_key", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
+            int code = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                int const c = static_cast<int>((position(i, axis) - lower[axis]) / cell);
+                code |= spread_bits(c > last ? last : c) << axis;
+            }
+            key(i) = code;
+        });
+    return make_cell_list(key, particles.id, particles.count, along * along * along).item;
+}
+
+// ---------------------------------------------------------------- points and grids
+
+/// Step of the image that a position near a periodic face has on this axis: +1 near the lower face, -1 near
+/// the upper one, 0 in between.
+KOKKOS_FUNCTION int image_step_near(PeriodicBox const& box, int axis, Real x, Real reach)
+{
+    if (!box.periodic[axis]) return 0;
+    if (x - box.lower[axis] < reach) return 1;
+    if (box.upper[axis] - x < reach) return -1;
+    return 0;
+}
+
+SearchPoints make_points(Particles const& particles, PeriodicBox const& box, Real reach)
+{
+    int const count = particles.count;
+    SearchPoints points;
+    if (!box.any_periodic()) {
+        points.count = count;
+        points.position = particles.position;
+        points.id = particles.id;
+        return points; // row and image stay empty: a point is its grain
+    }
+    RecordView const position = particles.position;
+    View1<int> offset("image_offset", count + 1);
+    Kokkos::parallel_scan(
+        "count_images", RangePolicy(0, count + 1),
+        KOKKOS_LAMBDA(int i, int& sum, bool last) {
+            if (last) offset(i) = sum;
+            if (i == count) return;
+            int images = 1;
+            for (int axis = 0; axis < 3; ++axis)
+                if (image_step_near(box, axis, position(i, axis), reach) != 0) images *= 2;
+            sum += images - 1;
+        },
+        points.count);
+    points.count += count;
+    points.position = RecordView(Kokkos::view_alloc("point_position", Kokkos::WithoutInitializing), points.count);
+    points.id = View1<GrainId>(Kokkos::view_alloc("point_id", Kokkos::WithoutInitializing), points.count);
+    points.row = View1<int>(Kokkos::view_alloc("point_row", Kokkos::WithoutInitializing), points.count);
+    points.image = View1<std::uint8_t>(Kokkos::view_alloc("point_image", Kokkos::WithoutInitializing), points.count);
+    SearchPoints const target = points;
+    View1<GrainId> const id = particles.id;
+    Kokkos::parallel_for(
+        "make_images", RangePolicy(0, count), KOKKOS_LAMBDA(int i) {
+            int step[3];
+            for (int axis = 0; axis < 3; ++axis) step[axis] = image_step_near(box, axis, position(i, axis), reach);
+            int slot = count + offset(i);
+            for (int subset = 0; subset < 8; ++subset) {
+                bool possible = true;
+                int s[3];
+                for (int axis = 0; axis < 3; ++axis) {
+                    bool const taken = subset >> axis & 1;
+                    if (taken && step[axis] == 0) possible = false;
+                    s[axis] = taken ? step[axis] : 0;
+                }
+                if (!possible) continue;
+                int const point = subset == 0 ? i : slot++;
+                int const code = PeriodicBox::image_code(s[0], s[1], s[2]);
+                Vec3 const shift = box.image_shift(code);
+                for (int axis = 0; axis < 3; ++axis) target.position(point, axis) = position(i, axis) + shift[axis];
+                target.position(point, 3) = position(i, 3);
+                target.id(point) = id(i);
+                target.row(point) = i;
+                target.image(point) = static_cast<std::uint8_t>(code);
+            }
+        });
+    return points;
+}
+
+LevelGrids make_grids(SearchPoints const& points, Bounds const& bounds, Real skin)
+{
+    LevelGrids grids;
+    // Levels by factors of two in size; sizes within a factor 1.5 of each other share one.
+    while (grids.levels < LevelGrids::most && bounds.largest > Real(1.5) * bounds.smallest * (1 << (grids.levels - 1)))
+        ++grids.levels;
+    Vec3 const reach{bounds.largest * 2 + skin, bounds.largest * 2 + skin, bounds.largest * 2 + skin};
+    for (int level = 0; level < grids.levels; ++level) {
+        grids.edge[level] = level == grids.levels - 1
+                                ? bounds.largest
+                                : bounds.largest / static_cast<Real>(1 << (grids.levels - 1 - level));
+        grids.lower[level] = bounds.lower - reach;
+        Vec3 const extent = bounds.upper - bounds.lower + 2 * reach;
+        Real cell = 2 * grids.edge[level] + skin;
+        // A grain far away must not make a grid that does not fit: at most eight cells a point.
+        auto const total = [&](Real c) { return std::ceil(extent.x / c) * std::ceil(extent.y / c) * std::ceil(extent.z / c); };
+        while (total(cell) > Real(8) * points.count + 4096) cell *= Real(1.25);
+        grids.cell[level] = cell;
+        for (int axis = 0; axis < 3; ++axis) grids.cells[level][axis] = static_cast<int>(std::ceil(extent[axis] / cell));
+    }
+    for (int level = 0; level < grids.levels; ++level) {
+        View1<int> cell_of_point(Kokkos::view_alloc("cell_of_point", Kokkos::WithoutInitializing), points.count);
+        RecordView const position = points.position;
+        LevelGrids const shape = grids;
+        Kokkos::parallel_for(
+            "cell_of_point", RangePolicy(0, points.count), KOKKOS_LAMBDA(int p) {
+                cell_of_point(p) =
+                    shape.level_of(position(p, 3)) == level ? shape.cell_of(level, vector_of(position, p)) : -1;
+            });
+        int const cells = grids.cells[level][0] * grids.cells[level][1] * grids.cells[level][2];
+        grids.list[level] = make_cell_list(cell_of_point, points.id, points.count, cells);
+    }
+    return grids;
+}
+
+// ---------------------------------------------------------------- pairs
+
+/// Calls visit(point) for every point that makes a pair with grain i as its first.
+struct PairFinder {
+    RecordView position;
+    View1<GrainId> id;
+    SearchPoints points;
+    LevelGrids grids;
+    Real skin;
+
+    template <class Visit> KOKKOS_FUNCTION void operator()(int i, Visit const& visit) const
+    {
+        Vec3 const x = vector_of(position, i);
+        Real const radius = position(i, 3);
+        int const own = grids.level_of(radius);
+        for (int level = own; level < grids.levels; ++level) {
+            Real const reach = radius + grids.edge[level] + skin;
+            int low[3], high[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                low[axis] = grids.cell_along(level, axis, x[axis] - reach);
+                high[axis] = grids.cell_along(level, axis, x[axis] + reach);
+            }
+            for (int cz = low[2]; cz <= high[2]; ++cz)
+                for (int cy = low[1]; cy <= high[1]; ++cy) {
+                    // The cells of a row follow each other, and so do their entries.
+                    int const row = grids.cells[level][0] * (cy + grids.cells[level][1] * cz);
+                    int const end = grids.list[level].begin(row + high[0] + 1);
+                    for (int k = grids.list[level].begin(row + low[0]); k < end; ++k) {
+                        int const point = grids.list[level].item(k);
+                        if (level == own && points.id(point) <= id(i)) continue;
+                        Vec3 const d = x - vector_of(points.position, point);
+                        Real const cutoff = radius + points.position(point, 3) + skin;
+                        if (dot(d, d) < cutoff * cutoff) visit(point);
+                    }
+                }
+        }
+    }
+};
+
+int count_pairs(PairFinder const& find, int grains, View1<int> const& row_begin)
+{
+    Kokkos::parallel_for(
+        "count_pairs", Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, grains),
+        KOKKOS_LAMBDA(int i) {
+            int count = 0;
+            find(i, [&](int) { ++count; });
+            row_begin(i) = count;
+        });
+    int total = 0;
+    Kokkos::parallel_scan(
+        "scan_pairs", RangePolicy(0, grains + 1),
+        KOKKOS_LAMBDA(int i, int& sum, bool last) {
+            int const count = i < grains ? row_begin(i) : 0;
+            if (last) row_begin(i) = sum;
+            sum += count;
+        },
+        total);
+    return total;
+}
+
+void fill_pairs(PairFinder const& find, int grains, ContactList const& contacts, View1<int> const& point_of_contact)
+{
+    ContactList const list = contacts;
+    View1<int> const row = find.points.row;
+    View1<std::uint8_t> const image = find.points.image;
+    View1<GrainId> const id = find.points.id;
+    Kokkos::parallel_for(
+        "fill_pairs", Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, grains),
+        KOKKOS_LAMBDA(int i) {
+            int const first = list.row_begin(i);
+            int filled = first;
+            find(i, [&](int point) { // insertion by partner id keeps the row sorted
+                int slot = filled++;
+                while (slot > first && id(point_of_contact(slot - 1)) > id(point)) {
+                    point_of_contact(slot) = point_of_contact(slot - 1);
+                    --slot;
+                }
+                point_of_contact(slot) = point;
+            });
+            for (int c = first; c < filled; ++c) {
+                int const point = point_of_contact(c);
+                list.first(c) = i;
+                list.second(c) = list.periodic ? row(point) : point;
+                if (list.periodic) list.image(c) = image(point);
+            }
+        });
+}
+
+void set_scales(Particles const& particles, ContactList const& contacts)
+{
+    ContactList const list = contacts;
+    RecordView const position = particles.position, velocity = particles.velocity;
+    Kokkos::parallel_for(
+        "set_scales", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
+            int const i = list.first(c), j = list.second(c);
+            Real const ri = position(i, 3), rj = position(j, 3), mi = velocity(i, 3), mj = velocity(j, 3);
+            Real const radius = ri * rj / (ri + rj);
+            list.scale(c, 0) = radius;
+            list.scale(c, 1) = mi * mj / (mi + mj);
+            list.scale(c, 2) = Kokkos::cbrt(radius);
+            list.scale(c, 3) = 0;
+        });
+}
+
+/// The exact row of each grain's contacts in the order of its partners' ids.
+void make_incidence(Particles const& particles, ContactList& contacts)
+{
+    int const grains = particles.count;
+    contacts.incident_begin = View1<int>("incident_begin", grains + 1);
+    contacts.incident = View1<int>(Kokkos::view_alloc("incident", Kokkos::WithoutInitializing), 2 * contacts.count);
+    ContactList const list = contacts;
+    Kokkos::parallel_for(
+        "count_incident", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
+            Kokkos::atomic_inc(&list.incident_begin(list.first(c)));
+            Kokkos::atomic_inc(&list.incident_begin(list.second(c)));
+        });
+    Kokkos::parallel_scan(
+        "scan_incident", RangePolicy(0, grains + 1), KOKKOS_LAMBDA(int i, int& sum, bool last) {
+            int const count = list.incident_begin(i);
+            if (last) list.incident_begin(i) = sum;
+            sum += count;
+        });
+    View1<int> const cursor("incident_cursor", grains);
+    Kokkos::parallel_for(
+        "fill_incident", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
+            int const i = list.first(c), j = list.second(c);
+            list.incident(list.incident_begin(i) + Kokkos::atomic_fetch_add(&cursor(i), 1)) = 2 * c;
+            list.incident(list.incident_begin(j) + Kokkos::atomic_fetch_add(&cursor(j), 1)) = 2 * c + 1;
+        });
+    View1<GrainId> const id = particles.id;
+    Kokkos::parallel_for(
+        "sort_incident", RangePolicy(0, grains), KOKKOS_LAMBDA(int i) {
+            auto const partner = [&](int entry) { return id(entry & 1 ? list.first(entry / 2) : list.second(entry / 2)); };
+            int const begin = list.incident_begin(i), end = list.incident_begin(i + 1);
+            for (int k = begin + 1; k < end; ++k) {
+                int const entry = list.incident(k);
+                GrainId const key = partner(entry);
+                int slot = k;
+                for (; slot > begin && partner(list.incident(slot - 1)) > key; --slot)
+                    list.incident(slot) = list.incident(slot - 1);
+                list.incident(slot) = entry;
+            }
+        });
+}
+
+/// Looks each new pair up in the old row of its first grain, by the partner's id.
+void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<int> const& sorted_from,
+                  Particles const& particles, ContactList const& contacts)
+{
+    ContactList const list = contacts;
+    View1<GrainId> const id = particles.id;
+    bool const had_history = old.needs.history, had_bonds = old.needs.bonds;
+    Kokkos::parallel_for(
+        "carry_memory", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
+            int const old_row = sorted_from(list.first(c));
+            GrainId const partner = id(list.second(c));
+            for (int k = old.row_begin(old_row); k < old.row_begin(old_row + 1); ++k) {
+                if (old_id(old.second(k)) != partner) continue;
+                list.touching(c) = old.touching(k);
+                for (int n = 0; n < 8; ++n) list.force(c, n) = old.force(k, n);
+                if (list.needs.bonds && had_bonds) list.adhering(c) = old.adhering(k);
+                if (list.needs.history && had_history)
+                    for (int n = 0; n < 4; ++n) list.spring(c, n) = old.spring(k, n);
+                return;
+            }
+        });
+}
+
+void allocate_contacts(ContactList& contacts)
+{
+    int const n = contacts.count;
+    auto const raw = [](char const* label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); };
+    contacts.first = View1<int>(raw("contact_first"), n);
+    contacts.second = View1<int>(raw("contact_second"), n);
+    if (contacts.periodic) contacts.image = View1<std::uint8_t>(raw("contact_image"), n);
+    contacts.scale = RecordView(raw("contact_scale"), n);
+    contacts.touching = View1<std::uint8_t>("contact_touching", n);
+    if (contacts.needs.bonds) contacts.adhering = View1<std::uint8_t>("contact_adhering", n);
+    if (contacts.needs.history) contacts.spring = RecordView("contact_spring", n);
+    contacts.force = ForceRows(raw("contact_force"), n);
+}
+
+} // namespace
+
+void search_contacts(Particles& particles, PeriodicBox const& box, Real skin, ContactNeeds needs, ContactList& contacts,
+                     View1<int>* sorted_from)
+{
+    ContactList const old = contacts;
+    contacts = ContactList{};
+    contacts.needs = needs;
+    contacts.periodic = box.any_periodic();
+    contacts.skin = skin;
+    contacts.row_begin = View1<int>("contact_row_begin", particles.count + 1);
+    contacts.incident_begin = View1<int>("incident_begin", particles.count + 1);
+    contacts.reference_position = RecordView("reference_position", particles.count);
+    if (particles.count == 0) {
+        allocate_contacts(contacts);
+        if (sorted_from) *sorted_from = View1<int>("sorted_from", 0);
+        return;
+    }
+    wrap_positions(particles, box);
+    Bounds bounds = find_bounds(particles.position, particles.count);
+    check_periodic_edges(box, 2 * bounds.largest + skin);
+    View1<GrainId> const old_id = particles.id;
+    View1<int> const order = locality_order(particles, bounds);
+    permute(particles, order);
+
+    PairFinder find{particles.position, particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin};
+    find.grids = make_grids(find.points, bounds, skin);
+    contacts.count = count_pairs(find, particles.count, contacts.row_begin);
+    allocate_contacts(contacts);
+    View1<int> const point_of_contact(Kokkos::view_alloc("point_of_contact", Kokkos::WithoutInitializing), contacts.count);
+    fill_pairs(find, particles.count, contacts, point_of_contact);
+    set_scales(particles, contacts);
+    make_incidence(particles, contacts);
+    if (old.count > 0) carry_memory(old, old_id, order, particles, contacts);
+    Kokkos::deep_copy(contacts.reference_position, particles.position);
+    if (sorted_from) *sorted_from = order;
+}
+
+int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts)
+{
+    ARENITE_REQUIRE(contacts.needs.bonds, "the contact list holds no bonds");
+    ContactList const list = contacts;
+    RecordView const position = particles.position;
+    int bonds = 0;
+    Kokkos::parallel_reduce(
+        "form_bonds", RangePolicy(0, contacts.count),
+        KOKKOS_LAMBDA(int c, int& sum) {
+            int const i = list.first(c), j = list.second(c);
+            Vec3 d = vector_of(position, i) - vector_of(position, j);
+            if (list.periodic) d -= box.image_shift(list.image(c));
+            if (position(i, 3) + position(j, 3) - norm(d) >= 0) list.adhering(c) = 1;
+            sum += list.adhering(c);
+        },
+        bonds);
+    return bonds;
+}
+
+void count_bonds(Particles const& particles, ContactList const& contacts, View1<int> const& bonds,
+                 View1<int> const& coordination)
+{
+    ContactList const list = contacts;
+    Kokkos::parallel_for(
+        "count_bonds", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
+            int bonded = 0, touching = 0;
+            for (int k = list.incident_begin(i); k < list.incident_begin(i + 1); ++k) {
+                int const c = list.incident(k) / 2;
+                touching += list.touching(c) ? 1 : 0;
+                if (list.needs.bonds) bonded += list.adhering(c) ? 1 : 0;
+            }
+            bonds(i) = bonded;
+            coordination(i) = touching;
+        });
+}
+
+} // namespace arenite

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Finds the pairs of grains that are closer than a skin, on the device, by a cell grid per size level
+// (hierarchical grids; Ogarko & Luding 2012), and carries the contacts' memory over by id. A grain looks
+// in its own level and in the coarser ones, so a large grain does not make the cells of small ones large:
+// candidates stay few for any ratio of sizes.
+#pragma once
+
+#include "core/contact_list.hpp"
+#include "core/particles.hpp"
+
+namespace arenite {
+
+/// Sorts the grains along a space-filling curve, wraps them into the periodic box, and rebuilds the list for
+/// gaps below skin. Springs and bonds of pairs that stay are carried over exactly; a pair that leaves the
+/// list is forgotten (it is farther apart than any contact reaches). sorted_from, when given, receives
+/// the row that each grain came from, for other lists that are kept by row.
+/// Throws InputError if a periodic edge is shorter than two cutoffs: a pair would meet twice.
+void search_contacts(Particles& particles, PeriodicBox const& box, Real skin, ContactNeeds needs, ContactList& contacts,
+                     View1<int>* sorted_from = nullptr);
+
+/// Modified JKR: every contact that touches becomes a bond. Returns how many there are then.
+int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts);
+
+/// Bonds and touching contacts per grain, [grain], into Views of the owned count.
+void count_bonds(Particles const& particles, ContactList const& contacts, View1<int> const& bonds,
+                 View1<int> const& coordination);
+
+} // namespace arenite

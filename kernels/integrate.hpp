@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Velocity Verlet in its kick-drift-kick form. A step is: drift (half a kick, then the move), evaluate the
+// forces at the new positions, kick (gather the forces, then the other half). Between outputs the kick
+// of one step and the drift of the next run as one kernel with the same arithmetic in the same order, so
+// that writing output does not change a bit.
+#pragma once
+
+#include "core/contact_list.hpp"
+#include "core/particles.hpp"
+#include "kernels/wall_contacts.hpp"
+
+namespace arenite {
+
+/// What the step found, read by the host now and then.
+enum Health : unsigned {
+    healthy = 0,
+    list_is_stale = 1,     // a grain moved more than its share of the skin
+    force_is_not_finite = 2,
+};
+
+struct StepSettings {
+    Real dt = 0;              // s
+    Vec3 gravity;             // m/s2
+    Real local_damping = 0;   // fraction of the unbalanced force that opposes the motion (Cundall 1987); quasi-static only
+    Vec3 strain_rate;         // 1/s, of a deforming periodic box, about its lower corner
+    Vec3 box_lower;           // m
+    Real allowed_move = 0;    // m from the reference position before the list is stale
+};
+
+struct Integrator {
+    Kokkos::View<unsigned, MemorySpace> health; // Health bits, set by the kernels
+    Integrator() : health("health") {}
+};
+
+/// Gathers contact and wall forces in fixed order, adds gravity, applied and fluid forces, stores the sum and
+/// gives the second half of the kick: velocities are then those of the positions' time.
+void kick(Integrator const&, StepSettings const&, Particles const&, ContactList const&, WallContacts const&);
+
+/// First half of the next kick from the stored forces, then the move.
+void drift(Integrator const&, StepSettings const&, Particles const&, ContactList const&);
+
+/// kick and drift in one kernel; leaves particles.force as it was.
+void kick_and_drift(Integrator const&, StepSettings const&, Particles const&, ContactList const&, WallContacts const&);
+
+/// Health bits since the last call; clears list_is_stale.
+unsigned read_health(Integrator const&);
+
+} // namespace arenite
