@@ -65,7 +65,7 @@ CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id
     list.begin = View1<int>("cell_begin", cells + 1);
     count_items(cell_of_item, items, list.begin);
     list.entries = scan_counts(list.begin, cells);
-    list.item = View1<int>(Kokkos::view_alloc("cell_item", Kokkos::WithoutInitializing), list.entries);
+    list.item = View1<int>(uninitialized("cell_item"), list.entries);
     View1<int> const cursor("cell_cursor", cells);
     fill_cells(cell_of_item, items, list, cursor);
     sort_cells(id, list, cells);

@@ -31,7 +31,7 @@ void check_grains(std::vector<Grain> const& grains)
 template <class T> void reorder(View1<T>& view, View1<int> const& order, int count)
 {
     if (!view.is_allocated()) return;
-    View1<T> const sorted(Kokkos::view_alloc(view.label(), Kokkos::WithoutInitializing), view.extent(0));
+    View1<T> const sorted(uninitialized(view.label()), view.extent(0));
     View1<T> const source = view;
     Kokkos::parallel_for(
         "reorder", RangePolicy(0, count), KOKKOS_LAMBDA(int row) { sorted(row) = source(order(row)); });
@@ -41,7 +41,7 @@ template <class T> void reorder(View1<T>& view, View1<int> const& order, int cou
 void reorder(RecordView& view, View1<int> const& order, int count)
 {
     if (!view.is_allocated()) return;
-    RecordView const sorted(Kokkos::view_alloc(view.label(), Kokkos::WithoutInitializing), view.extent(0));
+    RecordView const sorted(uninitialized(view.label()), view.extent(0));
     RecordView const source = view;
     Kokkos::parallel_for(
         "reorder_records", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {

@@ -6,6 +6,7 @@
 #include <Kokkos_Core.hpp>
 
 #include <cstdint>
+#include <string>
 
 namespace arenite {
 
@@ -26,6 +27,9 @@ using RecordView = Kokkos::View<Real* [4], Kokkos::LayoutRight, MemorySpace>;
 
 /// Grid field [i][j][k], i fastest on every backend.
 using FieldView = Kokkos::View<Real***, Kokkos::LayoutLeft, MemorySpace>;
+
+/// Allocation of a View whose every entry is written before it is read.
+inline auto uninitialized(std::string const& label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); }
 
 using GrainId = std::int64_t; // global, never reused: contacts, bonds and random numbers are keyed by it
 

@@ -124,7 +124,7 @@ View1<int> locality_order(Particles const& particles, Bounds const& bounds)
     Real const cell = std::fmax(longest / (1 << bits) * (1 + Real(1e-9)), 2 * bounds.largest);
     int along = 1;
     while (along < (1 << bits) && along * cell < longest) along *= 2;
-    View1<int> key(Kokkos::view_alloc("locality_key", Kokkos::WithoutInitializing), particles.count);
+    View1<int> key(uninitialized("locality_key"), particles.count);
     RecordView const position = particles.position;
     Vec3 const lower = bounds.lower;
     int const last = along - 1;
@@ -176,10 +176,10 @@ SearchPoints make_points(Particles const& particles, PeriodicBox const& box, Rea
         },
         points.count);
     points.count += count;
-    points.position = RecordView(Kokkos::view_alloc("point_position", Kokkos::WithoutInitializing), points.count);
-    points.id = View1<GrainId>(Kokkos::view_alloc("point_id", Kokkos::WithoutInitializing), points.count);
-    points.row = View1<int>(Kokkos::view_alloc("point_row", Kokkos::WithoutInitializing), points.count);
-    points.image = View1<std::uint8_t>(Kokkos::view_alloc("point_image", Kokkos::WithoutInitializing), points.count);
+    points.position = RecordView(uninitialized("point_position"), points.count);
+    points.id = View1<GrainId>(uninitialized("point_id"), points.count);
+    points.row = View1<int>(uninitialized("point_row"), points.count);
+    points.image = View1<std::uint8_t>(uninitialized("point_image"), points.count);
     SearchPoints const target = points;
     View1<GrainId> const id = particles.id;
     Kokkos::parallel_for(
@@ -230,7 +230,7 @@ LevelGrids make_grids(SearchPoints const& points, Bounds const& bounds, Real ski
         for (int axis = 0; axis < 3; ++axis) grids.cells[level][axis] = static_cast<int>(std::ceil(extent[axis] / cell));
     }
     for (int level = 0; level < grids.levels; ++level) {
-        View1<int> cell_of_point(Kokkos::view_alloc("cell_of_point", Kokkos::WithoutInitializing), points.count);
+        View1<int> cell_of_point(uninitialized("cell_of_point"), points.count);
         RecordView const position = points.position;
         LevelGrids const shape = grids;
         Kokkos::parallel_for(
@@ -353,7 +353,7 @@ void make_incidence(Particles const& particles, ContactList& contacts)
 {
     int const grains = particles.count;
     contacts.incident_begin = View1<int>("incident_begin", grains + 1);
-    contacts.incident = View1<int>(Kokkos::view_alloc("incident", Kokkos::WithoutInitializing), 2 * contacts.count);
+    contacts.incident = View1<int>(uninitialized("incident"), 2 * contacts.count);
     ContactList const list = contacts;
     Kokkos::parallel_for(
         "count_incident", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
@@ -415,15 +415,14 @@ void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<in
 void allocate_contacts(ContactList& contacts)
 {
     int const n = contacts.count;
-    auto const raw = [](char const* label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); };
-    contacts.first = View1<int>(raw("contact_first"), n);
-    contacts.second = View1<int>(raw("contact_second"), n);
-    if (contacts.periodic) contacts.image = View1<std::uint8_t>(raw("contact_image"), n);
-    contacts.scale = RecordView(raw("contact_scale"), n);
+    contacts.first = View1<int>(uninitialized("contact_first"), n);
+    contacts.second = View1<int>(uninitialized("contact_second"), n);
+    if (contacts.periodic) contacts.image = View1<std::uint8_t>(uninitialized("contact_image"), n);
+    contacts.scale = RecordView(uninitialized("contact_scale"), n);
     contacts.touching = View1<std::uint8_t>("contact_touching", n);
     if (contacts.needs.bonds) contacts.adhering = View1<std::uint8_t>("contact_adhering", n);
     if (contacts.needs.history) contacts.spring = RecordView("contact_spring", n);
-    contacts.force = ForceRows(raw("contact_force"), n);
+    contacts.force = ForceRows(uninitialized("contact_force"), n);
 }
 
 } // namespace
@@ -455,7 +454,7 @@ void search_contacts(Particles& particles, PeriodicBox const& box, Real skin, Co
     find.grids = make_grids(find.points, bounds, skin);
     contacts.count = count_pairs(find, particles.count, contacts.row_begin);
     allocate_contacts(contacts);
-    View1<int> const point_of_contact(Kokkos::view_alloc("point_of_contact", Kokkos::WithoutInitializing), contacts.count);
+    View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);
     fill_pairs(find, particles.count, contacts, point_of_contact);
     set_scales(particles, contacts);
     make_incidence(particles, contacts);
