@@ -7,7 +7,6 @@
 
 #include "core/contact_list.hpp"
 #include "core/particles.hpp"
-#include "kernels/wall_contacts.hpp"
 
 namespace arenite {
 
@@ -16,6 +15,14 @@ enum Health : unsigned {
     healthy = 0,
     list_is_stale = 1,     // a grain moved more than its share of the skin
     force_is_not_finite = 2,
+};
+
+/// The wall forces as a grain gathers them; empty where no wall is near.
+struct WallForceRows {
+    View1<int> begin;               // [grain + 1]
+    View1<int> contact;             // [entry] rows of a grain's wall contacts, in the order of their elements
+    View1<std::uint8_t> touching;   // [wall contact]
+    ForceRows force;                // [wall contact] as in ContactList, the grain being first
 };
 
 struct StepSettings {
@@ -34,13 +41,13 @@ struct Integrator {
 
 /// Gathers contact and wall forces in fixed order, adds gravity, applied and fluid forces, stores the sum and
 /// gives the second half of the kick: velocities are then those of the positions' time.
-void kick(Integrator const&, StepSettings const&, Particles const&, ContactList const&, WallContacts const&);
+void kick(Integrator const&, StepSettings const&, Particles const&, ContactList const&, WallForceRows const&);
 
 /// First half of the next kick from the stored forces, then the move.
 void drift(Integrator const&, StepSettings const&, Particles const&, ContactList const&);
 
 /// kick and drift in one kernel; leaves particles.force as it was.
-void kick_and_drift(Integrator const&, StepSettings const&, Particles const&, ContactList const&, WallContacts const&);
+void kick_and_drift(Integrator const&, StepSettings const&, Particles const&, ContactList const&, WallForceRows const&);
 
 /// Health bits since the last call; clears list_is_stale.
 unsigned read_health(Integrator const&);

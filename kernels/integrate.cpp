@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "kernels/integrate.hpp"
+
+namespace arenite {
+namespace {
+
+/// What both halves of the kick need; one struct for the three kernels, so that they share every expression.
+struct GrainStep {
+    StepSettings settings;
+    Real half_dt;
+    Particles grains;
+    ContactList contacts;
+    WallForceRows walls;
+    Kokkos::View<unsigned, MemorySpace> health;
+    bool has_walls, has_applied, has_fluid;
+
+    KOKKOS_FUNCTION void gather(int i, Vec3& force, Vec3& torque) const
+    {
+        for (int k = contacts.incident_begin(i); k < contacts.incident_begin(i + 1); ++k) {
+            int const entry = contacts.incident(k), c = entry >> 1;
+            if (!contacts.touching(c)) continue;
+            bool const second = entry & 1;
+            Vec3 const pull{contacts.force(c, 0), contacts.force(c, 1), contacts.force(c, 2)};
+            Vec3 const moment{contacts.force(c, 4), contacts.force(c, 5), contacts.force(c, 6)};
+            force = second ? force - pull : force + pull;
+            torque -= contacts.force(c, second ? 7 : 3) * moment; // (-arm n) x F on both sides
+        }
+        if (!has_walls) return;
+        for (int k = walls.begin(i); k < walls.begin(i + 1); ++k) {
+            int const c = walls.contact(k);
+            if (!walls.touching(c)) continue;
+            force += Vec3{walls.force(c, 0), walls.force(c, 1), walls.force(c, 2)};
+            torque -= walls.force(c, 3) * Vec3{walls.force(c, 4), walls.force(c, 5), walls.force(c, 6)};
+        }
+    }
+
+    KOKKOS_FUNCTION Vec3 damped(Vec3 const& force, Vec3 const& velocity) const
+    {
+        Vec3 result;
+        for (int axis = 0; axis < 3; ++axis) {
+            Real const sign = velocity[axis] > 0 ? 1 : (velocity[axis] < 0 ? -1 : 0);
+            result[axis] = force[axis] - settings.local_damping * Kokkos::fabs(force[axis]) * sign;
+        }
+        return result;
+    }
+
+    /// Force and torque at the grain's position.
+    KOKKOS_FUNCTION void total(int i, Vec3& force, Vec3& torque) const
+    {
+        force = {};
+        torque = {};
+        gather(i, force, torque);
+        if (has_fluid) force += vector_of(grains.fluid_force, i);
+        if (has_applied) force += vector_of(grains.applied_force, i);
+        force += grains.velocity(i, 3) * settings.gravity;
+        if (settings.local_damping > 0) {
+            force = damped(force, vector_of(grains.velocity, i));
+            torque = damped(torque, vector_of(grains.spin, i));
+        }
+        // One comparison is false for NaN and for infinity.
+        if (!(dot(force, force) + dot(torque, torque) < Real(1e300)))
+            Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite));
+    }
+
+    KOKKOS_FUNCTION void push(int i, Vec3 const& force, Vec3 const& torque) const
+    {
+        if (grains.motion(i) != Motion::free) return;
+        set_vector(grains.velocity, i, vector_of(grains.velocity, i) + (half_dt / grains.velocity(i, 3)) * force);
+        set_vector(grains.spin, i, vector_of(grains.spin, i) + (half_dt / grains.spin(i, 3)) * torque);
+    }
+
+    KOKKOS_FUNCTION void move(int i) const
+    {
+        if (grains.motion(i) == Motion::held) return;
+        Vec3 const here = vector_of(grains.position, i);
+        Vec3 const stretch{settings.strain_rate.x * (here.x - settings.box_lower.x),
+                           settings.strain_rate.y * (here.y - settings.box_lower.y),
+                           settings.strain_rate.z * (here.z - settings.box_lower.z)};
+        Vec3 const there = here + settings.dt * (vector_of(grains.velocity, i) + stretch);
+        set_vector(grains.position, i, there);
+        Vec3 const moved = there - vector_of(contacts.reference_position, i);
+        if (dot(moved, moved) > settings.allowed_move * settings.allowed_move)
+            Kokkos::atomic_or(&health(), static_cast<unsigned>(list_is_stale));
+    }
+};
+
+struct Kick : GrainStep {
+    KOKKOS_FUNCTION void operator()(int i) const
+    {
+        Vec3 force, torque;
+        total(i, force, torque);
+        set_vector(grains.force, i, force);
+        set_vector(grains.torque, i, torque);
+        push(i, force, torque);
+    }
+};
+
+struct Drift : GrainStep {
+    KOKKOS_FUNCTION void operator()(int i) const
+    {
+        push(i, vector_of(grains.force, i), vector_of(grains.torque, i));
+        move(i);
+    }
+};
+
+struct KickAndDrift : GrainStep {
+    KOKKOS_FUNCTION void operator()(int i) const
+    {
+        Vec3 force, torque;
+        total(i, force, torque);
+        push(i, force, torque);
+        push(i, force, torque);
+        move(i);
+    }
+};
+
+GrainStep make_step(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
+                    ContactList const& contacts, WallForceRows const& walls)
+{
+    return {settings,
+            Real(0.5) * settings.dt,
+            particles,
+            contacts,
+            walls,
+            integrator.health,
+            walls.begin.extent(0) > 0,
+            particles.applied_force.is_allocated(),
+            particles.fluid_force.is_allocated()};
+}
+
+} // namespace
+
+void kick(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
+          ContactList const& contacts, WallForceRows const& walls)
+{
+    Kokkos::parallel_for("kick", RangePolicy(0, particles.count),
+                         Kick{make_step(integrator, settings, particles, contacts, walls)});
+}
+
+void drift(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
+           ContactList const& contacts)
+{
+    Kokkos::parallel_for("drift", RangePolicy(0, particles.count),
+                         Drift{make_step(integrator, settings, particles, contacts, {})});
+}
+
+void kick_and_drift(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
+                    ContactList const& contacts, WallForceRows const& walls)
+{
+    Kokkos::parallel_for("kick_and_drift", RangePolicy(0, particles.count),
+                         KickAndDrift{make_step(integrator, settings, particles, contacts, walls)});
+}
+
+unsigned read_health(Integrator const& integrator)
+{
+    unsigned bits = 0;
+    Kokkos::deep_copy(bits, integrator.health);
+    if (bits & list_is_stale) Kokkos::deep_copy(integrator.health, bits & ~static_cast<unsigned>(list_is_stale));
+    return bits;
+}
+
+} // namespace arenite
