@@ -7,6 +7,8 @@ foreach(part MPI HDF5 VTK)
   set(ARENITE_ENABLE_${part} "AUTO" CACHE STRING "Use ${part}: AUTO (if found), ON or OFF")
   set_property(CACHE ARENITE_ENABLE_${part} PROPERTY STRINGS AUTO ON OFF)
 endforeach()
+set(ARENITE_DEPS_DIR "${PROJECT_SOURCE_DIR}/deps" CACHE PATH
+  "Sources of what is not installed, as cmake/fetch_deps.sh lays them")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
@@ -14,17 +16,33 @@ endif()
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON) # for clang-tidy, and for the test that compiles each header alone
 
 # Flags of every target of ours. No contraction on the host: a fused multiply-add here and not there
 # would make the bits depend on the compiler's mood (same bits for any thread count, across a restart).
-add_library(arenite_flags INTERFACE)
-target_include_directories(arenite_flags INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_features(arenite_flags INTERFACE cxx_std_20)
-target_compile_options(arenite_flags INTERFACE -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
+# On the device fmad stays on: ptxas fuses the same way on every run of one binary, which is all that is
+# promised ("same bits on the same backend"), and without it the contact kernels lose up to half of the
+# FP64 rate.
+set(arenite_host_flags -Wall -Wextra -ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(ARENITE_WARNINGS_AS_ERRORS)
-  target_compile_options(arenite_flags INTERFACE -Werror)
+  list(APPEND arenite_host_flags -Werror)
 endif()
 if(ARENITE_SANITIZE)
-  target_compile_options(arenite_flags INTERFACE -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer)
-  target_link_options(arenite_flags INTERFACE -fsanitize=${ARENITE_SANITIZE})
+  list(APPEND arenite_host_flags -fno-omit-frame-pointer)
+endif()
+list(JOIN arenite_host_flags "," arenite_flags_through_nvcc)
+
+add_library(arenite_flags INTERFACE)
+target_include_directories(arenite_flags INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/arenite>)
+target_compile_features(arenite_flags INTERFACE cxx_std_20)
+# nvcc has flags of the same spelling but another meaning, so what is meant for the host compiler goes
+# through -Xcompiler.
+target_compile_options(arenite_flags INTERFACE
+  "$<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:${arenite_host_flags}>>"
+  "$<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${arenite_flags_through_nvcc}>>")
+if(ARENITE_SANITIZE)
+  target_compile_options(arenite_flags INTERFACE
+    $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${ARENITE_SANITIZE}>>)
+  target_link_options(arenite_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=${ARENITE_SANITIZE}>)
 endif()

@@ -1,0 +1,30 @@
+# Where Kokkos is compiled in CMake's CUDA language, so are all of our sources: a lambda that becomes a
+# kernel may be in any of them. Included last, when every target is known. A source that includes no Kokkos
+# and whose headers nvcc does not digest (VTK's) opts out with the source property ARENITE_HOST_ONLY.
+if(NOT Kokkos_COMPILE_LANGUAGE STREQUAL CUDA)
+  return()
+endif()
+
+function(arenite_compile_as_cuda directory)
+  get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target ${targets})
+    get_target_property(sources ${target} SOURCES)
+    foreach(source ${sources})
+      if(NOT source MATCHES "\\.cpp$")
+        continue()
+      endif()
+      cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${directory})
+      get_source_file_property(host_only ${source} TARGET_DIRECTORY ${target} ARENITE_HOST_ONLY)
+      if(NOT host_only)
+        set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES LANGUAGE CUDA)
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
+foreach(folder core kernels fluid io apps tests perf)
+  get_property(known DIRECTORY ${PROJECT_SOURCE_DIR} PROPERTY SUBDIRECTORIES)
+  if("${PROJECT_SOURCE_DIR}/${folder}" IN_LIST known)
+    arenite_compile_as_cuda(${PROJECT_SOURCE_DIR}/${folder})
+  endif()
+endforeach()
