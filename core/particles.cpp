@@ -31,7 +31,7 @@ void check_grains(std::vector<Grain> const& grains)
 template <class T> void reorder(View1<T>& view, View1<int> const& order, int count)
 {
     if (!view.is_allocated()) return;
-    View1<T> const sorted(uninitialized(view.label()), view.extent(0));
+    View1<T> const sorted(uninitialized(view.label()), count);
     View1<T> const source = view;
     Kokkos::parallel_for(
         "reorder", RangePolicy(0, count), KOKKOS_LAMBDA(int row) { sorted(row) = source(order(row)); });
@@ -41,7 +41,7 @@ template <class T> void reorder(View1<T>& view, View1<int> const& order, int cou
 void reorder(RecordView& view, View1<int> const& order, int count)
 {
     if (!view.is_allocated()) return;
-    RecordView const sorted(uninitialized(view.label()), view.extent(0));
+    RecordView const sorted(uninitialized(view.label()), count);
     RecordView const source = view;
     Kokkos::parallel_for(
         "reorder_records", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
@@ -148,24 +148,10 @@ std::vector<Grain> download(Particles const& particles)
 
 void permute(Particles& particles, View1<int> const& order)
 {
-    for_each_view(particles, [&](auto& view) { reorder(view, order, particles.count); });
-}
-
-int compact(Particles& particles, View1<int> const& keep)
-{
-    int const before = particles.count;
-    View1<int> order("kept_rows", before);
-    int kept = 0;
-    Kokkos::parallel_scan(
-        "kept_rows", RangePolicy(0, before),
-        KOKKOS_LAMBDA(int row, int& offset, bool last) {
-            if (last && keep(row)) order(offset) = row;
-            offset += keep(row) ? 1 : 0;
-        },
-        kept);
-    permute(particles, order); // rows past `kept` hold copies of row 0 and are not used
-    particles.count = kept;
-    return before - kept;
+    int const count = static_cast<int>(order.extent(0));
+    for_each_view(particles, [&](auto& view) { reorder(view, order, count); });
+    particles.count = count;
+    particles.ghosts = 0;
 }
 
 } // namespace arenite

@@ -58,10 +58,8 @@ Particles make_particles(std::vector<Grain> const& grains, std::vector<Real> con
 /// The owned grains as they are now, in row order.
 std::vector<Grain> download(Particles const& particles);
 
-/// Puts row order[i] into row i, for every View that is allocated. order: [count] rows.
+/// Puts row order[i] into row i, for every View that is allocated; rows that order leaves out are dropped.
+/// order: [grains that stay] rows. Ghosts are dropped: whoever made them makes them anew.
 void permute(Particles& particles, View1<int> const& order);
-
-/// Keeps the rows for which keep is 1, in their order; returns how many were dropped.
-int compact(Particles& particles, View1<int> const& keep);
 
 } // namespace arenite

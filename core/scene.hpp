@@ -59,6 +59,7 @@ enum class CoarseGraining { none, ssw, ssp };
 struct CoarseGrainingSettings {
     CoarseGraining scheme = CoarseGraining::none;
     Real factor = 1; // k = grain diameter / original diameter
+    Real diameter = 0; // m, SSP: the one original size; 0: the mean-volume diameter of the distribution
     bool operator==(CoarseGrainingSettings const&) const = default;
 };
 

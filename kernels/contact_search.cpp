@@ -116,7 +116,8 @@ KOKKOS_FUNCTION int spread_bits(int v) // 10 bits to every third place
 }
 
 /// Rows in Morton order of coarse cells, in a cell by id: neighbours in space are neighbours in memory.
-View1<int> locality_order(Particles const& particles, Bounds const& bounds)
+/// Grains that do not stay are left out.
+View1<int> locality_order(Particles const& particles, Bounds const& bounds, View1<int> const& keep)
 {
     constexpr int bits = 6; // 64 cells along the longest edge: 262144 bins, a few grains each at a million
     Vec3 const extent = bounds.upper - bounds.lower;
@@ -128,6 +129,7 @@ View1<int> locality_order(Particles const& particles, Bounds const& bounds)
     RecordView const position = particles.position;
     Vec3 const lower = bounds.lower;
     int const last = along - 1;
+    bool const all_stay = !keep.is_allocated();
     Kokkos::parallel_for(
         "locality_key", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
             int code = 0;
@@ -135,7 +137,7 @@ View1<int> locality_order(Particles const& particles, Bounds const& bounds)
                 int const c = static_cast<int>((position(i, axis) - lower[axis]) / cell);
                 code |= spread_bits(c > last ? last : c) << axis;
             }
-            key(i) = code;
+            key(i) = all_stay || keep(i) ? code : -1;
         });
     return make_cell_list(key, particles.id, particles.count, along * along * along).item;
 }
@@ -425,42 +427,47 @@ void allocate_contacts(ContactList& contacts)
     contacts.force = ForceRows(uninitialized("contact_force"), n);
 }
 
+/// Puts the grains that stay into locality order; returns the row that each came from.
+View1<int> sort_grains(Particles& particles, PeriodicBox const& box, SearchSettings const& settings)
+{
+    if (particles.count == 0) return View1<int>("sorted_from", 0);
+    wrap_positions(particles, box);
+    Bounds const bounds = find_bounds(particles.position, particles.count);
+    check_periodic_edges(box, 2 * bounds.largest + settings.skin);
+    View1<int> const order = locality_order(particles, bounds, settings.keep);
+    permute(particles, order);
+    return order;
+}
+
 } // namespace
 
-void search_contacts(Particles& particles, PeriodicBox const& box, Real skin, ContactNeeds needs, ContactList& contacts,
-                     View1<int>* sorted_from)
+void search_contacts(Particles& particles, PeriodicBox const& box, SearchSettings const& settings, ContactList& contacts)
 {
+    Real const skin = settings.skin;
     ContactList const old = contacts;
     contacts = ContactList{};
-    contacts.needs = needs;
+    contacts.needs = settings.needs;
     contacts.periodic = box.any_periodic();
     contacts.skin = skin;
-    contacts.row_begin = View1<int>("contact_row_begin", particles.count + 1);
-    contacts.incident_begin = View1<int>("incident_begin", particles.count + 1);
-    contacts.reference_position = RecordView("reference_position", particles.count);
-    if (particles.count == 0) {
-        allocate_contacts(contacts);
-        if (sorted_from) *sorted_from = View1<int>("sorted_from", 0);
-        return;
-    }
-    wrap_positions(particles, box);
-    Bounds bounds = find_bounds(particles.position, particles.count);
-    check_periodic_edges(box, 2 * bounds.largest + skin);
     View1<GrainId> const old_id = particles.id;
-    View1<int> const order = locality_order(particles, bounds);
-    permute(particles, order);
+    View1<int> const order = sort_grains(particles, box, settings);
+    int const grains = particles.count;
+    contacts.row_begin = View1<int>("contact_row_begin", grains + 1);
+    contacts.incident_begin = View1<int>("incident_begin", grains + 1);
+    contacts.reference_position = RecordView("reference_position", grains);
+    if (grains == 0) return allocate_contacts(contacts);
+    Bounds const bounds = find_bounds(particles.position, grains);
 
     PairFinder find{particles.position, particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin};
     find.grids = make_grids(find.points, bounds, skin);
-    contacts.count = count_pairs(find, particles.count, contacts.row_begin);
+    contacts.count = count_pairs(find, grains, contacts.row_begin);
     allocate_contacts(contacts);
     View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);
-    fill_pairs(find, particles.count, contacts, point_of_contact);
+    fill_pairs(find, grains, contacts, point_of_contact);
     set_scales(particles, contacts);
     make_incidence(particles, contacts);
     if (old.count > 0) carry_memory(old, old_id, order, particles, contacts);
-    Kokkos::deep_copy(contacts.reference_position, particles.position);
-    if (sorted_from) *sorted_from = order;
+    Kokkos::deep_copy(contacts.reference_position, Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
 }
 
 int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts)

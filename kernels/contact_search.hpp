@@ -10,13 +10,17 @@
 
 namespace arenite {
 
-/// Sorts the grains along a space-filling curve, wraps them into the periodic box, and rebuilds the list for
-/// gaps below skin. Springs and bonds of pairs that stay are carried over exactly; a pair that leaves the
-/// list is forgotten (it is farther apart than any contact reaches). sorted_from, when given, receives
-/// the row that each grain came from, for other lists that are kept by row.
+struct SearchSettings {
+    Real skin = 0;        // m: pairs with a smaller gap are listed
+    ContactNeeds needs;
+    View1<int> keep;      // [grain] 0: the grain leaves the run (produced, lost); empty: all stay
+};
+
+/// Sorts the grains along a space-filling curve, wraps them into the periodic box, and rebuilds the list.
+/// Springs and bonds of pairs that stay are carried over exactly; a pair that leaves the list is forgotten
+/// (it is farther apart than any contact reaches). Grains that are not kept are dropped.
 /// Throws InputError if a periodic edge is shorter than two cutoffs: a pair would meet twice.
-void search_contacts(Particles& particles, PeriodicBox const& box, Real skin, ContactNeeds needs, ContactList& contacts,
-                     View1<int>* sorted_from = nullptr);
+void search_contacts(Particles& particles, PeriodicBox const& box, SearchSettings const& settings, ContactList& contacts);
 
 /// Modified JKR: every contact that touches becomes a bond. Returns how many there are then.
 int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Puts grains of given size classes into a box at random without overlap: random sequential addition, the
+// largest first, on the host (set-up, not part of a step). Reaches a solid fraction of about 0.36.
+#pragma once
+
+#include "core/coarse_graining.hpp"
+#include "core/particles.hpp"
+
+namespace arenite {
+
+/// Grains wholly inside region, of material row `material`, at rest, numbered from 0 from the largest size down.
+/// Same grains for the same seed. Throws InputError when the region is too full: says what fraction was asked
+/// for and how many fitted.
+std::vector<Grain> pack_at_random(std::vector<SizeClass> const& classes, Region const& region, int material,
+                                  unsigned long long seed);
+
+} // namespace arenite
