@@ -8,6 +8,8 @@
 
 #include "core/vec3.hpp"
 
+#include <string>
+
 namespace arenite {
 
 struct Grid {
@@ -31,7 +33,7 @@ struct Grid {
     /// Extent of a field along an axis: the cells, one more for the last face, and the halo on both sides.
     KOKKOS_FUNCTION int allocated(int axis) const { return cells[axis] + 1 + 2 * halo; }
 
-    FieldView make_field(char const* label) const { return FieldView(label, allocated(0), allocated(1), allocated(2)); }
+    FieldView make_field(char const* label) const { return FieldView(std::string(label), allocated(0), allocated(1), allocated(2)); }
 };
 
 } // namespace arenite
