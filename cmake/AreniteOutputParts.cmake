@@ -1,0 +1,96 @@
+# The optional parts that output uses: finds VTK, HDF5 and MPI as ARENITE_ENABLE_<PART> (AUTO, ON, OFF)
+# says, and sets ARENITE_<PART>_VERSION, empty where the part is left out.
+
+# arenite_part_mode(PART VARIABLE): REQUIRED for ON, QUIET for AUTO.
+function(arenite_part_mode part mode)
+  if(ARENITE_ENABLE_${part} STREQUAL "AUTO")
+    set(${mode} QUIET PARENT_SCOPE)
+  else()
+    set(${mode} REQUIRED PARENT_SCOPE)
+  endif()
+endfunction()
+
+set(ARENITE_MPI_VERSION "")
+if(ARENITE_ENABLE_MPI)
+  arenite_part_mode(MPI mode)
+  find_package(MPI ${mode} COMPONENTS CXX)
+  if(MPI_CXX_FOUND)
+    execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE text ERROR_QUIET)
+    if(text MATCHES "(Open MPI|MPICH|Intel\\(R\\) MPI|OpenRTE)[^0-9]*([0-9]+\\.[0-9.]+)")
+      set(ARENITE_MPI_VERSION "${CMAKE_MATCH_1} ${CMAKE_MATCH_2}, standard ${MPI_CXX_VERSION}")
+      string(REPLACE "OpenRTE" "Open MPI" ARENITE_MPI_VERSION "${ARENITE_MPI_VERSION}")
+    else()
+      set(ARENITE_MPI_VERSION "standard ${MPI_CXX_VERSION}")
+    endif()
+  endif()
+endif()
+
+# The parallel HDF5 needs MPI's headers; without MPI the serial one is looked for.
+set(ARENITE_HDF5_VERSION "")
+if(ARENITE_ENABLE_HDF5)
+  enable_language(C) # FindHDF5 asks the C compiler
+  set(HDF5_PREFER_PARALLEL ${MPI_CXX_FOUND})
+  arenite_part_mode(HDF5 mode)
+  find_package(HDF5 1.10 ${mode} COMPONENTS C)
+  if(HDF5_IS_PARALLEL AND NOT MPI_CXX_FOUND)
+    if(ARENITE_ENABLE_HDF5 STREQUAL "AUTO")
+      set(HDF5_FOUND FALSE)
+    else()
+      message(FATAL_ERROR "The HDF5 that was found (${HDF5_C_LIBRARIES}) is a parallel one and needs MPI: "
+                          "set ARENITE_ENABLE_MPI=ON, or HDF5_ROOT to a serial HDF5, or ARENITE_ENABLE_HDF5=OFF")
+    endif()
+  endif()
+  if(HDF5_FOUND)
+    if(HDF5_IS_PARALLEL)
+      set(ARENITE_HDF5_VERSION "${HDF5_VERSION} (parallel)")
+    else()
+      set(ARENITE_HDF5_VERSION "${HDF5_VERSION} (serial)")
+    endif()
+  endif()
+endif()
+
+# Never VTK's IOHDF or IOExodus: they bring the serial HDF5 next to ours.
+set(ARENITE_VTK_VERSION "")
+set(ARENITE_VTK_MODULES CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersFlowPaths IOXML)
+if(ARENITE_ENABLE_VTK)
+  arenite_part_mode(VTK mode)
+  find_package(VTK 9.1 ${mode} COMPONENTS ${ARENITE_VTK_MODULES})
+  if(VTK_FOUND)
+    set(ARENITE_VTK_VERSION "${VTK_VERSION}")
+  endif()
+endif()
+
+# Tests and apps link these targets from other folders, through the static library.
+get_property(imported DIRECTORY PROPERTY IMPORTED_TARGETS)
+foreach(target ${imported})
+  set_target_properties(${target} PROPERTIES IMPORTED_GLOBAL TRUE)
+endforeach()
+
+# For the installed package, whose static library carries those targets.
+if(HDF5_IS_PARALLEL AND ARENITE_HDF5_VERSION)
+  list(APPEND arenite_package_dependencies "find_dependency(MPI COMPONENTS CXX)")
+endif()
+if(ARENITE_VTK_VERSION)
+  list(JOIN ARENITE_VTK_MODULES " " modules)
+  list(APPEND arenite_package_dependencies "find_dependency(VTK 9.1 COMPONENTS ${modules})")
+endif()
+set(arenite_package_dependencies ${arenite_package_dependencies} PARENT_SCOPE)
+
+find_program(ARENITE_GIT git)
+set(ARENITE_GIT_COMMIT "")
+if(ARENITE_GIT)
+  execute_process(COMMAND ${ARENITE_GIT} describe --always --abbrev=12 --dirty=-modified --exclude=*
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE ARENITE_GIT_COMMIT
+    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
+if(NOT ARENITE_GIT_COMMIT)
+  set(ARENITE_GIT_COMMIT "unknown")
+endif()
+
+foreach(part MPI HDF5 VTK)
+  if(ARENITE_${part}_VERSION)
+    message(STATUS "arenite with ${part} ${ARENITE_${part}_VERSION}")
+  else()
+    message(STATUS "arenite without ${part} (ARENITE_ENABLE_${part}=${ARENITE_ENABLE_${part}})")
+  endif()
+endforeach()

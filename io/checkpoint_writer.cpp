@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "io/atomic_file.hpp"
+#include "io/build_info.hpp"
+#include "io/checkpoint.hpp"
+#include "io/checkpoint_hdf5.hpp"
+
+#include <fmt/format.h>
+
+namespace arenite {
+
+using hdf5::Handle;
+
+bool can_write_checkpoints() { return true; }
+
+struct CheckpointWriter::File {
+    std::filesystem::path path;
+    Handle handle;
+    bool committed = false;
+
+    [[noreturn]] void fail(std::string const& what) const
+    {
+        throw OutputError(fmt::format("{}: {}: {}", path.string(), what, hdf5::cause()));
+    }
+    void check(bool good, std::string const& what) const
+    {
+        if (!good) fail(what);
+    }
+    void attribute(hid_t owner, char const* name, Element kind, void const* value) const
+    {
+        Handle const space(H5Screate(H5S_SCALAR), H5Sclose);
+        hid_t const type = hdf5::type_of(kind);
+        Handle const target(H5Acreate2(owner, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+        check(target.valid() && H5Awrite(target.get(), type, value) >= 0, fmt::format("cannot write '{}'", name));
+    }
+    void attribute(hid_t owner, char const* name, std::string const& value) const
+    {
+        Handle const space(H5Screate(H5S_SCALAR), H5Sclose);
+        Handle const type(H5Tcopy(H5T_C_S1), H5Tclose);
+        H5Tset_size(type.get(), value.size() + 1);
+        Handle const target(H5Acreate2(owner, name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+        check(target.valid() && H5Awrite(target.get(), type.get(), value.c_str()) >= 0, fmt::format("cannot write '{}'", name));
+    }
+    void stamp(CheckpointStamp const& stamp) const
+    {
+        Handle const root(H5Gopen2(handle.get(), "/", H5P_DEFAULT), H5Gclose);
+        std::uint8_t const stage_end = stamp.stage_end ? 1 : 0;
+        attribute(root.get(), "format", hdf5::format_name);
+        attribute(root.get(), "format_version", Element::int64, &hdf5::format_version);
+        attribute(root.get(), "arenite_version", build_info().version);
+        attribute(root.get(), "step", Element::int64, &stamp.step);
+        attribute(root.get(), "time", Element::real64, &stamp.time);
+        attribute(root.get(), "stage", stamp.stage);
+        attribute(root.get(), "stage_end", Element::uint8, &stage_end);
+        attribute(root.get(), "scene_hash", Element::uint64, &stamp.scene_hash);
+    }
+};
+
+CheckpointWriter::CheckpointWriter(std::filesystem::path path, CheckpointStamp const& stamp) : file_(std::make_unique<File>())
+{
+    hdf5::Quiet const quiet;
+    file_->path = std::move(path);
+    // Format 1.8 and later keep checksums of their own structures; the arrays' are ours.
+    Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_LATEST);
+    file_->handle = Handle(H5Fcreate(temporary_name(file_->path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+    file_->check(file_->handle.valid(), "cannot create the checkpoint");
+    file_->stamp(stamp);
+}
+
+CheckpointWriter::~CheckpointWriter()
+{
+    hdf5::Quiet const quiet;
+    file_->handle.reset();
+    std::error_code ignored;
+    if (!file_->committed) std::filesystem::remove(temporary_name(file_->path), ignored);
+}
+
+void CheckpointWriter::write(std::string const& name, Element kind, std::vector<std::size_t> const& shape, void const* data)
+{
+    hdf5::Quiet const quiet;
+    std::vector<hsize_t> const extents(shape.begin(), shape.end());
+    hid_t const type = hdf5::type_of(kind);
+    Handle const space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
+    Handle const links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    H5Pset_create_intermediate_group(links.get(), 1);
+    Handle const target(H5Dcreate2(file_->handle.get(), name.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+    std::size_t const count = size_of(shape);
+    bool const written = target.valid() && (count == 0 || H5Dwrite(target.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0);
+    file_->check(written, fmt::format("cannot write '{}'", name));
+    std::uint64_t const sum = hdf5::checksum(data, count * H5Tget_size(type));
+    file_->attribute(target.get(), "fnv1a", Element::uint64, &sum);
+}
+
+void CheckpointWriter::commit()
+{
+    hdf5::Quiet const quiet;
+    file_->check(H5Fflush(file_->handle.get(), H5F_SCOPE_GLOBAL) >= 0 && file_->handle.reset(), "cannot finish the checkpoint");
+    publish_file(file_->path);
+    file_->committed = true;
+}
+
+} // namespace arenite

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "io/summary.hpp"
+
+#include "io/atomic_file.hpp"
+#include "io/build_info.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace arenite {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T> Json json_of(std::optional<T> const& value) { return value ? Json(*value) : Json(); }
+
+Json json_of(Vec3 const& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json versions()
+{
+    BuildInfo const build = build_info();
+    Json json{{"arenite", build.version}, {"commit", build.commit},     {"compiler", build.compiler},
+              {"build", build.build_type}, {"kokkos", build.kokkos}, {"kokkos_kernels", build.kokkos_kernels}};
+    for (OptionalPart const& part : optional_parts()) json[part.name] = part.present ? Json(part.version) : Json();
+    return json;
+}
+
+Json machine(int ranks)
+{
+    Hardware const m = hardware();
+    return {{"host", m.host},       {"cpu", m.cpu},         {"logical_cores", m.cores},     {"memory_bytes", m.memory},
+            {"backend", m.backend}, {"concurrency", m.concurrency}, {"gpu", m.gpu.empty() ? Json() : Json(m.gpu)}, {"ranks", ranks}};
+}
+
+Json walls_of(StageSummary const& stage)
+{
+    Json json = Json::object();
+    for (WallSummary const& wall : stage.walls) json[wall.name] = {{"force", json_of(wall.force)}, {"stress", json_of(wall.stress)}};
+    return json;
+}
+
+Json json_of(StageSummary const& stage)
+{
+    Json json{{"name", stage.name},
+              {"ended_by", stage.ended_by},
+              {"wall_time", stage.wall_time},
+              {"simulated_time", stage.simulated_time},
+              {"steps", stage.steps},
+              {"particle_steps_per_second", stage.wall_time > 0 ? Json(stage.particle_steps / stage.wall_time) : Json()}};
+    json["end_state"] = {{"grains", stage.grains},
+                         {"contacts", stage.contacts},
+                         {"bonds", stage.bonds},
+                         {"porosity", json_of(stage.porosity)},
+                         {"coordination", json_of(stage.coordination)},
+                         {"kinetic_energy", stage.kinetic_energy},
+                         {"walls", walls_of(stage)}};
+    json["max_overlap_ratio"] = stage.max_overlap_ratio;
+    json["produced"] = {{"mass", stage.produced_mass}, {"count", stage.produced_count}};
+    json["warnings"] = stage.warnings;
+    json["values"] = stage.values;
+    return json;
+}
+
+} // namespace
+
+std::string summary_json(RunSummary const& summary)
+{
+    Json json{{"scene",
+               {{"path", summary.scene},
+                {"title", summary.title},
+                {"hash", fmt::format("{:016x}", summary.scene_hash)},
+                {"random_seed", summary.random_seed}}},
+              {"outcome", summary.outcome},
+              {"resumed_from_step", json_of(summary.resumed_from_step)},
+              {"wall_time", summary.wall_time},
+              {"versions", versions()},
+              {"machine", machine(summary.ranks)}};
+    Real mass = 0;
+    std::int64_t count = 0;
+    std::map<std::string, std::int64_t> warnings;
+    json["stages"] = Json::array();
+    for (StageSummary const& stage : summary.stages) {
+        json["stages"].push_back(json_of(stage));
+        mass += stage.produced_mass;
+        count += stage.produced_count;
+        for (auto const& [kind, number] : stage.warnings) warnings[kind] += number;
+    }
+    json["produced"] = {{"mass", mass}, {"count", count}};
+    json["warnings"] = warnings;
+    // Names come from the user's file: bytes that are no UTF-8 are replaced, not refused.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_summary(std::filesystem::path const& folder, RunSummary const& summary)
+{
+    write_file_atomically(folder / "summary.json", summary_json(summary));
+}
+
+} // namespace arenite

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// CSV tables that grow with the run. The header is set once; a row that a kill cut short is dropped on
+// resume, and so is every row past the checkpoint that the run goes on from.
+#pragma once
+
+#include "core/types.hpp"
+#include "io/atomic_file.hpp"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace arenite {
+
+/// Where a resumed run goes on: the step and time of its checkpoint.
+struct ResumePoint {
+    std::int64_t step = 0;
+    Real time = 0;
+};
+
+/// One value as it stands in the file. Nothing is an empty cell; a real has the fewest digits that read
+/// back to the same bits.
+struct Cell {
+    Cell() = default;
+    Cell(Real value);
+    Cell(std::int64_t value);
+    Cell(int value) : Cell(std::int64_t(value)) {}
+    Cell(std::string const& value);
+    Cell(std::optional<Real> const& value);
+
+    std::string text;
+};
+
+class TimeSeries {
+public:
+    /// Rows whose value in `column` exceeds `value` are dropped.
+    struct Keep {
+        std::string column;
+        Real value = 0;
+    };
+
+    /// Starts the table, or goes on with the rows to keep if `keep` is given and the file exists.
+    /// Throws InputError if that file's header is another one.
+    TimeSeries(std::filesystem::path path, std::vector<std::string> columns, std::optional<Keep> const& keep = {});
+
+    /// One value for each column.
+    void add(std::vector<Cell> const& row);
+
+    /// Everything so far to the disk: before each checkpoint, so that no row is missing after a resume.
+    /// Between checkpoints rows reach the file at least every flush_seconds.
+    void flush();
+
+    std::vector<std::string> const& columns() const { return columns_; }
+
+private:
+    static constexpr double flush_seconds = 5;
+
+    void write_pending();
+
+    std::filesystem::path path_;
+    std::vector<std::string> columns_;
+    AppendedFile file_;
+    std::string pending_;
+    std::chrono::steady_clock::time_point last_write_;
+};
+
+/// The cells of one CSV line (quotes undone). Lines with quoted line breaks are not written by us.
+std::vector<std::string> split_csv_line(std::string const& line);
+
+} // namespace arenite
