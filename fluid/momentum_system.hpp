@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// The implicit momentum equation, one row for each face whose velocity is free, divided by the face's
+// porosity n and multiplied by its control volume in cells W (1, or 1/2 at an open boundary face):
+//
+//   W (rho a + B/n) / open * u - W mu (4/3 d2u/dx_d2 + sum of d2u/dx_e2) = right-hand side
+//
+// with a = TimeDerivative::now, d the component's own axis, e the other two. Divided by n the matrix is
+// symmetric whatever the porosity; the components couple only through the right-hand side. `open` is the
+// share of a boundary face that a pressure patch covers: the fluid moves through that share only, and u is
+// the mean over the face.
+#pragma once
+
+#include "fluid/boundary.hpp"
+#include "fluid/flow.hpp"
+#include "fluid/flow_solver.hpp"
+#include "fluid/operators.hpp"
+
+namespace arenite {
+
+struct MomentumSystem { // captured by kernels, by value
+    Flow flow;
+    FlowBoundary boundary;
+    TimeDerivative time;
+};
+
+KOKKOS_INLINE_FUNCTION Real drag_at_face(Flow const& flow, int component, Node const& face)
+{
+    return flow.has_drag() ? mean_at_face(flow.drag, component, face) : Real(0);
+}
+
+KOKKOS_INLINE_FUNCTION Real drag_velocity_at_face(Flow const& flow, int component, Node const& face)
+{
+    return flow.has_drag() ? mean_at_face(flow.drag_velocity[component], component, face) : Real(0);
+}
+
+/// Factor of u in d(rho n u)/dt + B u, N s/m4; over n it is the row's own coefficient.
+KOKKOS_INLINE_FUNCTION Real inertia_and_drag(MomentumSystem const& s, int component, Node const& face)
+{
+    Real const n = mean_at_face(s.flow.porosity, component, face);
+    return s.time.now * s.flow.density * n + drag_at_face(s.flow, component, face);
+}
+
+/// Velocity that a change of the pressure gradient makes at a face, m/s per Pa/m. The same number stands in
+/// the predictor, the pressure's matrix and the correction, so that a steady state knows no time step.
+KOKKOS_INLINE_FUNCTION Real mobility_at_face(MomentumSystem const& s, int component, Node const& face)
+{
+    Real const n = mean_at_face(s.flow.porosity, component, face);
+    return open_share(s.flow.grid, s.boundary, component, face) * n / inertia_and_drag(s, component, face);
+}
+
+/// Superficial velocity that a velocity patch prescribes on a boundary face; 0 inside.
+KOKKOS_INLINE_FUNCTION Real prescribed_flux(MomentumSystem const& s, int component, Node const& face)
+{
+    int const side = boundary_side(s.flow.grid, component, face);
+    return side == 0 ? Real(0) : boundary_face(s.boundary, component, side, face).flux;
+}
+
+/// Pressure gradient at a face, Pa/m; at an open boundary face over the half cell to the patch.
+KOKKOS_INLINE_FUNCTION Real pressure_gradient_at_face(MomentumSystem const& s, int component, Node const& face)
+{
+    Real const h = s.flow.grid.spacing[component];
+    int const side = boundary_side(s.flow.grid, component, face);
+    if (side == 0) return difference_at_face(s.flow.pressure, component, face, h);
+    Node const cell = side < 0 ? face : shifted(face, component, -1);
+    return side * (boundary_face(s.boundary, component, side, face).pressure - at(s.flow.pressure, cell)) / (h / 2);
+}
+
+/// What viscosity does along one axis, as coefficients of the two neighbours and of the row itself.
+struct ViscousLink {
+    Real coefficient[2] = {0, 0}; // of (neighbour - u), lower and upper, Pa s/m2
+    Real wall[2] = {0, 0};        // of (wall velocity - u)
+    Real wall_source[2] = {0, 0}; // wall * wall velocity, Pa/m
+};
+
+KOKKOS_INLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, int component, int axis, Node const& face)
+{
+    Grid const& grid = s.flow.grid;
+    Real const per_square = s.flow.viscosity / (grid.spacing[axis] * grid.spacing[axis]);
+    int const index = face[axis] - Grid::halo;
+    ViscousLink link;
+    if (axis == component) { // through the centres of the two cells; none beyond a boundary: free of stress
+        int const side = boundary_side(grid, component, face);
+        for (int upper = 0; upper < 2; ++upper)
+            if (side != (upper ? 1 : -1)) link.coefficient[upper] = Real(4) / 3 * per_square;
+        return link;
+    }
+    Real const weight = face_weight(grid, s.boundary, component, face);
+    for (int upper = 0; upper < 2; ++upper) {
+        bool const at_boundary = !grid.periodic[axis] && index == (upper ? grid.cells[axis] - 1 : 0);
+        if (!at_boundary) {
+            link.coefficient[upper] = weight * per_square;
+            continue;
+        }
+        Real const n = mean_at_face(s.flow.porosity, component, face);
+        EdgeCondition const edge = edge_condition(grid, s.boundary, axis, upper ? 1 : -1, component, face, n);
+        link.wall[upper] = weight * 2 * per_square * edge.stick;
+        link.wall_source[upper] = weight * 2 * per_square * edge.stick_velocity;
+    }
+    return link;
+}
+
+/// W mu (4/3 d2u/dx_d2 + ...) of a vector; `source` 1 with the walls' velocities, 0 for the matrix alone.
+KOKKOS_INLINE_FUNCTION Real diffusion_at_face(MomentumSystem const& s, FieldView const& u, int component,
+                                              Node const& face, Real source)
+{
+    Real const here = at(u, face);
+    Real sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        ViscousLink const link = viscous_link(s, component, axis, face);
+        for (int upper = 0; upper < 2; ++upper) {
+            if (link.coefficient[upper] > 0)
+                sum += link.coefficient[upper] * (at(u, neighbour(s.flow.grid, face, axis, upper ? 1 : -1)) - here);
+            sum += source * link.wall_source[upper] - link.wall[upper] * here;
+        }
+    }
+    return sum;
+}
+
+/// Diagonal of the row, Pa s/m2.
+KOKKOS_INLINE_FUNCTION Real momentum_diagonal(MomentumSystem const& s, int component, Node const& face)
+{
+    Real const n = mean_at_face(s.flow.porosity, component, face);
+    Real sum = face_weight(s.flow.grid, s.boundary, component, face) * inertia_and_drag(s, component, face) /
+               (n * open_share(s.flow.grid, s.boundary, component, face));
+    for (int axis = 0; axis < 3; ++axis) {
+        bool const self = s.flow.grid.periodic[axis] && s.flow.grid.cells[axis] == 1;
+        ViscousLink const link = viscous_link(s, component, axis, face);
+        for (int upper = 0; upper < 2; ++upper) sum += (self ? 0 : link.coefficient[upper]) + link.wall[upper];
+    }
+    return sum;
+}
+
+} // namespace arenite
