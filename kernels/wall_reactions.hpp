@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What the walls feel.
+#pragma once
+
+#include "core/wall_motion.hpp"
+#include "kernels/wall_contacts.hpp"
+
+#include <vector>
+
+namespace arenite {
+
+/// Force, torque, stiffness and impedance of every wall from the last evaluation: [wall]. Waits for the device and copies
+/// 64 bytes a wall. Summed by blocks of 64 ids, then of 4096 ids, then all, in the order of (id, element): the
+/// bits depend on ids and forces alone, not on threads or on which grains are merely near.
+std::vector<WallReaction> measure_walls(Particles const& particles, Walls const& walls, WallContacts const& contacts);
+
+/// Elastic energy stored in the wall contacts' normal springs (Hertz, 2/5 F overlap of the conservative part) is not kept
+/// per row; the largest overlap over radius is: of all touching rows, 0 if none.
+Real largest_wall_overlap_ratio(Particles const& particles, WallContacts const& contacts);
+
+} // namespace arenite
