@@ -101,7 +101,7 @@ struct ParticlesSettings {
     bool operator==(ParticlesSettings const&) const = default;
 };
 
-/// Something done to chosen grains for the whole run.
+/// Something done to chosen grains, for the whole run or in the named stages.
 struct GrainGroupSettings {
     std::string name;
     std::vector<long long> ids;       // chosen by id,
@@ -111,6 +111,7 @@ struct GrainGroupSettings {
     bool held = false;                // neither moves nor turns
     std::optional<Vec3> velocity;     // m/s: moves so whatever the forces
     std::optional<Vec3> spin;         // rad/s, with velocity
+    std::vector<std::string> stages;  // only in these; empty: in all
     bool operator==(GrainGroupSettings const&) const = default;
 };
 
@@ -273,8 +274,12 @@ struct StageSettings {
     Real local_damping = 0;                  // 0..1: fraction of the unbalanced force that opposes motion (quasi-static only)
     std::optional<BoxSettings> box;
     std::optional<Real> history_interval, field_interval, checkpoint_interval; // s, instead of the output's
-    // compression
-    Real target_porosity = 0;                // 0: whatever friction gives
+    std::optional<bool> form_bonds;          // modified_jkr: touching contacts become bonds at the start; unless named:
+                                             // if the stage before ran under another law
+    std::string carrier;                     // name of a plane wall: grains ride on the homogeneous strain that its motion
+                                             // along its normal means for the domain (fast, even compression); "" none
+    Real target_porosity = 0;                // with a servo: friction falls from the stage's value until the porosity
+                                             // under the servo's stress is this; 0: it stays
     bool operator==(StageSettings const&) const = default;
 };
 
@@ -305,7 +310,7 @@ struct OutputSettings {
     // What the files of grains and of the fluid hold beside positions.
     std::vector<std::string> grain_fields{"id",    "diameter", "class",       "material",     "velocity", "spin",
                                           "force", "torque",   "fluid_force", "coordination", "bonds"};
-    std::vector<std::string> fluid_fields{"velocity", "pressure", "porosity"};
+    std::vector<std::string> fluid_fields{"velocity", "speed", "pressure", "porosity"};
     std::vector<ProbeSettings> probes;
     StreamlineSettings streamlines;
     bool operator==(OutputSettings const&) const = default;
