@@ -36,6 +36,8 @@ add_library(arenite_flags INTERFACE)
 target_include_directories(arenite_flags INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/arenite>)
 target_compile_features(arenite_flags INTERFACE cxx_std_20)
+# fmt takes nvcc for a compiler without constexpr, and then its format strings do not compile in C++20.
+target_compile_definitions(arenite_flags INTERFACE FMT_USE_CONSTEXPR=1)
 # nvcc has flags of the same spelling but another meaning, so what is meant for the host compiler goes
 # through -Xcompiler.
 target_compile_options(arenite_flags INTERFACE

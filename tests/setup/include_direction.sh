@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# include_direction.sh SOURCE_DIR: core includes core alone, kernels and fluid also core but not each other,
+# io all three, apps everything; and every include in quotes is written from the repository root.
+set -euo pipefail
+cd "$1"
+
+declare -A may_include=(
+    [core]="core"
+    [kernels]="core kernels"
+    [fluid]="core fluid"
+    [io]="core kernels fluid io"
+    [apps]="core kernels fluid io apps"
+)
+wrong=0 seen=0
+while IFS=: read -r file line text; do
+    seen=$((seen + 1))
+    included=${text#*\"}
+    included=${included%%\"*}
+    folder=${file%%/*}
+    if [ "$included" = build_config.hpp ]; then
+        continue # made by CMake
+    elif [ ! -e "$included" ]; then
+        echo "$file:$line: \"$included\" is not a path from the repository root"
+        wrong=$((wrong + 1))
+    elif [[ " ${may_include[$folder]} " != *" ${included%%/*} "* ]]; then
+        echo "$file:$line: $folder must not include ${included%%/*} (\"$included\")"
+        wrong=$((wrong + 1))
+    fi
+done < <(grep -rnE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' --include='*.hpp' --include='*.cpp' "${!may_include[@]}")
+echo "$seen includes, $wrong against the direction core < kernels, fluid < io < apps"
+[ "$wrong" -eq 0 ] && [ "$seen" -gt 0 ]
