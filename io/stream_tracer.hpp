@@ -17,7 +17,8 @@ struct TraceRequest {
 
 bool can_trace();
 
-/// Lines along the image's cell data "velocity", with that as point data.
+/// Lines along the image's cell data "velocity", with that as point data. VTK gives the points in single
+/// precision.
 PolyPiece trace(ImagePiece const& image, TraceRequest const& request);
 
 } // namespace arenite

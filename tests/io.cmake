@@ -1,0 +1,12 @@
+# Output. What needs an optional part is tested where the part is there.
+arenite_test(test_atomic_file unit unit/test_atomic_file.cpp LINK arenite_output)
+arenite_test(test_time_series unit unit/test_time_series.cpp LINK arenite_output)
+arenite_test(test_summary unit unit/test_summary.cpp LINK arenite_output nlohmann_json::nlohmann_json)
+if(TARGET arenite_hdf5)
+  arenite_test(test_checkpoint unit unit/test_checkpoint.cpp LINK arenite_output arenite_hdf5)
+endif()
+if(TARGET VTK::IOXML)
+  set_source_files_properties(unit/vtk_read.cpp PROPERTIES ARENITE_HOST_ONLY TRUE)
+  arenite_test(test_field_output unit unit/test_field_output.cpp unit/vtk_read.cpp LINK arenite_output VTK::IOXML)
+  arenite_test(test_streamlines unit unit/test_streamlines.cpp unit/vtk_read.cpp LINK arenite_output VTK::IOXML)
+endif()
