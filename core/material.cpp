@@ -43,7 +43,7 @@ Real rayleigh_time(MaterialSettings const& material, Real radius)
 {
     // The paper prints G = E/(2(1-nu)) after eq 37; its "4.4 % of Rayleigh" follows only from 1+nu.
     return pi * radius * std::sqrt(material.density / shear_modulus(material)) /
-           (Real(0.1631) * material.poissons_ratio + Real(0.8766));
+           (Real(0.163) * material.poissons_ratio + Real(0.8766));
 }
 
 PairConstants make_pair(MaterialSettings const& a, MaterialSettings const& b, ContactSettings const& contact)
@@ -102,6 +102,7 @@ std::vector<PairConstants> make_pair_constants(Scene const& scene, StageSettings
                 if (named.contact) law = *named.contact;
             };
             for (InteractionSettings const& named : scene.interactions) apply(named);
+            for (InteractionSettings const& named : stage.interactions) apply(named);
             pairs[i * n + j] = make_pair(a, b, law);
         }
     return pairs;

@@ -12,7 +12,7 @@ namespace arenite {
 struct PeriodicBox {
     Vec3 lower, upper;                       // m
     bool periodic[3] = {false, false, false};
-    Vec3 strain_rate;                        // 1/s, of the edges; a deforming box carries its images along
+    Vec3 strain_rate;                        // 1/s: grains and images ride on the flow strain_rate * (x - lower)
 
     static constexpr int no_image = 13; // code of the shift (0, 0, 0)
 
@@ -29,12 +29,12 @@ struct PeriodicBox {
         Vec3 const edge = size();
         return {image_step(code, 0) * edge.x, image_step(code, 1) * edge.y, image_step(code, 2) * edge.z};
     }
-    /// What to add to a velocity to get its image's, m/s.
-    KOKKOS_FUNCTION Vec3 image_velocity(int code) const
+    /// Relative velocity that the box's deformation gives two points that are `offset` apart, m/s.
+    KOKKOS_FUNCTION Vec3 stretch_velocity(Vec3 const& offset) const
     {
-        Vec3 const shift = image_shift(code);
-        return {strain_rate.x * shift.x, strain_rate.y * shift.y, strain_rate.z * shift.z};
+        return {strain_rate.x * offset.x, strain_rate.y * offset.y, strain_rate.z * offset.z};
     }
+    bool deforms() const { return !(strain_rate == Vec3{}); }
 };
 
 } // namespace arenite

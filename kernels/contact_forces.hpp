@@ -11,9 +11,12 @@
 
 namespace arenite {
 
+/// What a contact asks of the box; chosen per stage, so that a closed box costs nothing.
+enum class BoxKind { closed, periodic, deforming };
+
 /// One contact, as the kernel below runs it. A struct and not a lambda, so that the law's compile-time
 /// choices can use `if constexpr` under nvcc.
-template <class Law, bool periodic> struct ContactEvaluation {
+template <class Law, BoxKind kind> struct ContactEvaluation {
     Law law;
     ContactList list;
     RecordView position, velocity, spin;
@@ -25,7 +28,8 @@ template <class Law, bool periodic> struct ContactEvaluation {
     {
         int const i = list.first(c), j = list.second(c);
         Vec3 offset = vector_of(position, i) - vector_of(position, j);
-        if constexpr (periodic) offset -= box.image_shift(list.image(c));
+        if constexpr (kind != BoxKind::closed)
+            if (list.periodic) offset -= box.image_shift(list.image(c));
         Real const ri = position(i, 3), rj = position(j, 3);
         Real const square = dot(offset, offset);
         bool adhering = false;
@@ -48,15 +52,19 @@ template <class Law, bool periodic> struct ContactEvaluation {
     {
         Real const ri = position(i, 3), rj = position(j, 3);
         ContactGeometry contact;
-        contact.normal = (1 / distance) * offset;
+        // Concentric grains have no line of centres: they part along z.
+        Real const inverse = distance > 0 ? 1 / distance : 0;
+        contact.normal = distance > 0 ? inverse * offset : Vec3{0, 0, 1};
         contact.overlap = ri + rj - distance;
-        // Arms to the plane of contact, exact for any overlap: they add up to the distance.
-        Real const lead = (ri - rj) * (ri + rj) / distance;
+        // Arms to the plane of contact; they add up to the distance. A grain wholly inside another has no such
+        // plane: its arm stays its radius.
+        Real const sum = ri + rj;
+        Real const lead = Kokkos::fmin(Kokkos::fmax((ri - rj) * sum * inverse, -sum), sum);
         Real const arm_i = Real(0.5) * (distance + lead), arm_j = Real(0.5) * (distance - lead);
-        Vec3 const spin_i = vector_of(spin, i), spin_j = vector_of(spin, j);
         Vec3 approach = vector_of(velocity, i) - vector_of(velocity, j);
-        if constexpr (periodic) approach -= box.image_velocity(list.image(c));
-        contact.velocity = approach - cross(arm_i * spin_i + arm_j * spin_j, contact.normal);
+        // The grains of a deforming box ride on its homogeneous flow, which their velocities do not hold.
+        if constexpr (kind == BoxKind::deforming) approach += box.stretch_velocity(offset);
+        contact.velocity = approach;
         contact.scale = {list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
 
         ContactState state;
@@ -65,8 +73,12 @@ template <class Law, bool periodic> struct ContactEvaluation {
             Vec3 const spring = vector_of(list.spring, c);
             state.previous_radius = list.spring(c, 3);
             // The grains came here along straight lines: the last offset is known exactly.
-            Vec3 const previous = normalized(offset - dt * approach);
-            Real const twist = Real(0.5) * dt * dot(spin_i + spin_j, contact.normal);
+            Vec3 previous = normalized(offset - dt * approach);
+            // Centres that passed each other within the step have no turn to follow.
+            if (!(dot(previous, contact.normal) > 0)) previous = contact.normal;
+            Vec3 const spin_i = step_spin(vector_of(spin, i), dt), spin_j = step_spin(vector_of(spin, j), dt);
+            contact.velocity = surface_velocity(approach, arm_i * spin_i + arm_j * spin_j, previous, contact.normal);
+            Real const twist = Real(0.25) * dt * dot(spin_i + spin_j, previous + contact.normal);
             state.spring = transport_spring(spring, previous, contact.normal, twist);
         }
         Vec3 const force = law(contact, law.pairs(material(i), material(j)), state, dt);
@@ -101,12 +113,13 @@ void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox c
     auto const launch = [&](auto evaluation) {
         Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, contacts.count), evaluation);
     };
-    if (contacts.periodic)
-        launch(ContactEvaluation<Law, true>{law, contacts, particles.position, particles.velocity, particles.spin,
-                                            particles.material, box, dt});
-    else
-        launch(ContactEvaluation<Law, false>{law, contacts, particles.position, particles.velocity, particles.spin,
-                                             particles.material, box, dt});
+    auto const make = [&]<BoxKind kind>() {
+        return ContactEvaluation<Law, kind>{law, contacts, particles.position, particles.velocity, particles.spin,
+                                            particles.material, box, dt};
+    };
+    if (box.deforms()) launch(make.template operator()<BoxKind::deforming>());
+    else if (contacts.periodic) launch(make.template operator()<BoxKind::periodic>());
+    else launch(make.template operator()<BoxKind::closed>());
 }
 
 } // namespace arenite

@@ -59,7 +59,7 @@ int count_rows(WallFinder const& find, int grains, View1<int> const& begin)
 /// Rows by grain and, in a grain, by element.
 void fill_rows(WallFinder const& find, int grains, WallContacts const& contacts)
 {
-    WallContacts const list = contacts;
+    WallContactRows const list = contacts;
     Kokkos::parallel_for(
         "fill_wall_contacts", RangePolicy(0, grains), KOKKOS_LAMBDA(int i) {
             int const first = list.begin(i);
@@ -94,7 +94,7 @@ void sort_rows(Particles const& particles, Walls const& walls, WallContacts& con
     Kokkos::Experimental::sort_by_key(ExecutionSpace(), key, order);
     View1<int> const sorted_grain(uninitialized("wall_contact_grain"), count);
     View1<int> const sorted_element(uninitialized("wall_contact_element"), count);
-    WallContacts const list = contacts;
+    WallContactRows const list = contacts;
     Kokkos::parallel_for(
         "sort_wall_contacts", RangePolicy(0, count), KOKKOS_LAMBDA(int c) {
             int const from = order(c);
@@ -122,9 +122,9 @@ void allocate_rows(WallContacts& contacts)
 }
 
 /// Finds each row among the old ones by its key: the old rows are sorted by it.
-void carry_rows(WallContacts const& old, Walls const& walls, WallContacts const& contacts)
+void carry_rows(WallContactRows const& old, Walls const& walls, WallContacts const& contacts)
 {
-    WallContacts const list = contacts;
+    WallContactRows const list = contacts;
     View1<int> const wall_of = walls.views.wall_of_element;
     View1<WallBody> const body = walls.views.body;
     bool const history = list.needs.history && old.needs.history, bonds = list.needs.bonds && old.needs.bonds;

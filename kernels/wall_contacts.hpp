@@ -10,7 +10,8 @@
 
 namespace arenite {
 
-struct WallContacts {
+/// What kernels take.
+struct WallContactRows {
     int count = 0;                 // rows
     ContactNeeds needs;
     Real skin = 0;                 // m: rows for gaps below it
@@ -30,8 +31,10 @@ struct WallContacts {
     int groups = 0;
     View1<int> block, superblock;  // [block + 1] rows of 64 and of 4096 ids on one wall: the order of sums
     int blocks = 0, superblocks = 0;
-    std::vector<int> wall_of_superblock; // on the host
+};
 
+struct WallContacts : WallContactRows {
+    std::vector<int> wall_of_superblock;
     std::vector<WallPose> reference_pose; // [wall] when the list was built; see wall_displacement
 };
 

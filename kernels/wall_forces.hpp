@@ -12,7 +12,7 @@ namespace arenite {
 /// facet with the rolling or sliding grain.
 template <class Law> struct WallContactEvaluation {
     Law law;
-    WallContacts list;
+    WallContactRows list;
     WallViews walls;
     RecordView position, velocity, spin;
     View1<std::uint8_t> material;

@@ -9,7 +9,7 @@ using Sums = Kokkos::View<Real* [8], Kokkos::LayoutRight, MemorySpace>; // force
 Sums sum_blocks(Particles const& particles, Walls const& walls, WallContacts const& contacts)
 {
     Sums const sums(uninitialized("wall_block_sums"), contacts.blocks);
-    WallContacts const list = contacts;
+    WallContactRows const list = contacts;
     WallViews const views = walls.views;
     RecordView const position = particles.position, velocity = particles.velocity;
     Kokkos::parallel_for(
@@ -79,7 +79,7 @@ std::vector<WallReaction> measure_walls(Particles const& particles, Walls const&
 Real largest_wall_overlap_ratio(Particles const& particles, WallContacts const& contacts)
 {
     Real largest = 0;
-    WallContacts const list = contacts;
+    WallContactRows const list = contacts;
     RecordView const position = particles.position;
     Kokkos::parallel_reduce(
         "largest_wall_overlap_ratio", RangePolicy(0, contacts.count),

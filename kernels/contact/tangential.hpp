@@ -22,6 +22,23 @@ KOKKOS_FUNCTION inline Vec3 transport_spring(Vec3 const& spring, Vec3 const& pre
     return cosine * tilted + sine * cross(normal, tilted);
 }
 
+/// Velocity [m/s] of i's surface relative to j's over the step that took previous_normal to normal, approach
+/// being that of the centres. The spins (arm-weighted: arm_i omega_i + arm_j omega_j) act on the step's mean
+/// normal, and the tangential part is perpendicular to it: for a rigid turn about any axis k by any angle,
+/// n - n' = 2 tan(angle/2) k x (n + n')/2 (Cayley), so that a pair that turns as one body does not slip.
+/// With the new normal alone the spring of such a pair would creep in proportion to dt.
+KOKKOS_FUNCTION inline Vec3 surface_velocity(Vec3 const& approach, Vec3 const& arm_spin, Vec3 const& previous_normal,
+                                             Vec3 const& normal)
+{
+    Vec3 const mean = Real(0.5) * (previous_normal + normal);
+    Vec3 const relative = approach - cross(arm_spin, mean);
+    Vec3 const slip = relative - (dot(relative, mean) / dot(mean, mean)) * mean;
+    return slip + dot(approach - slip, normal) * normal;
+}
+
+/// A spin as Cayley's relation counts it: 2/dt tan(omega dt/2), to the order that matters below 0.01 rad a step.
+KOKKOS_FUNCTION inline Vec3 step_spin(Vec3 const& spin, Real dt) { return (1 + dot(spin, spin) * dt * dt / 12) * spin; }
+
 /// How the spring's stretch follows a changing contact radius (contact variants `secant`, `rescaled`,
 /// `incremental`): the secant form F = S_t(a) xi makes energy when a contact is sheared and unloaded;
 /// rescaling on unloading (Thornton et al. 2013; Walton & Braun 1986) or adding dF = S_t dxi does not.

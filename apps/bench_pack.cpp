@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "apps/bench_pack.hpp"
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "kernels/contact_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace arenite {
+namespace {
+
+using Clock_ = std::chrono::steady_clock;
+
+double seconds_between(Clock_::time_point a, Clock_::time_point b) { return std::chrono::duration<double>(b - a).count(); }
+
+MaterialSettings bench_sand(double surface_energy)
+{
+    MaterialSettings sand;
+    sand.name = "sand";
+    sand.density = 2605;
+    sand.youngs_modulus = 2e10;
+    sand.poissons_ratio = 0.3;
+    sand.restitution = 0.8;
+    sand.friction = 0.2;
+    sand.surface_energy = surface_energy;
+    return sand;
+}
+
+std::vector<WallSettings> bench_walls(BenchPack const& pack)
+{
+    std::vector<WallSettings> walls;
+    auto const add = [&](char const* name, Vec3 const& point, Vec3 const& normal) {
+        WallSettings wall;
+        wall.name = name;
+        wall.material = "sand";
+        wall.point = point;
+        wall.normal = normal;
+        walls.push_back(wall);
+    };
+    add("x_lower", pack.lower, {1, 0, 0});
+    add("x_upper", pack.upper, {-1, 0, 0});
+    add("y_lower", pack.lower, {0, 1, 0});
+    add("y_upper", pack.upper, {0, -1, 0});
+    add("floor", pack.lower, {0, 0, 1});
+    return walls;
+}
+
+unsigned long long hash_state(Particles const& particles)
+{
+    std::vector<Grain> grains = download(particles);
+    std::sort(grains.begin(), grains.end(), [](Grain const& a, Grain const& b) { return a.id < b.id; });
+    unsigned long long hash = 1469598103934665603ull;
+    auto const add = [&](Vec3 const& v) {
+        for (int axis = 0; axis < 3; ++axis) {
+            unsigned long long bits;
+            Real const value = v[axis];
+            std::memcpy(&bits, &value, sizeof bits);
+            hash = (hash ^ bits) * 1099511628211ull;
+        }
+    };
+    for (Grain const& grain : grains) {
+        add(grain.position);
+        add(grain.velocity);
+        add(grain.spin);
+    }
+    return hash;
+}
+
+/// The state with its lists, laws bound, forces evaluated.
+struct PreparedPack {
+    RunState state;
+    PlannedStage planned;
+    StageForces forces;
+    StepSettings step;
+
+    void search()
+    {
+        search_contacts(state.particles, state.box, {state.skin, forces.needs, {}}, state.contacts);
+        search_wall_contacts(state.particles, state.walls, state.skin, forces.wall_needs, state.wall_contacts);
+    }
+};
+
+void prepare(BenchPack const& pack, BenchSettings const& settings, PreparedPack& prepared)
+{
+    RunState& state = prepared.state;
+    state.particles = make_particles(pack.grains, {2605});
+    state.box.lower = pack.lower;
+    state.box.upper = pack.upper;
+    state.walls = make_walls(bench_walls(pack), {{"sand"}, pack.lower, pack.upper, {}});
+    begin_stage(state.walls, {});
+    state.skin = settings.skin;
+    ContactSettings contact;
+    contact.normal = settings.law;
+    contact.break_point = BreakPoint::S;
+    MaterialSettings const sand = bench_sand(settings.surface_energy);
+    prepared.planned.pairs = {make_pair(sand, sand, contact)};
+    prepared.planned.wall_pairs = {make_pair(sand, sand, {})};
+    prepared.forces = make_stage_forces(prepared.planned, -1, state);
+    prepared.step.dt = settings.dt;
+    prepared.step.gravity = {0, 0, -settings.gravity};
+    prepared.step.allowed_move = settings.skin / 2;
+    prepared.search();
+    prepared.forces.evaluate(0);
+    StepSettings still = prepared.step;
+    still.dt = 0;
+    kick(state.integrator, still, state.particles, state.contacts, force_rows(state.wall_contacts));
+    drift(state.integrator, prepared.step, state.particles, state.contacts);
+}
+
+} // namespace
+
+BenchPack read_pack(std::string const& path)
+{
+    std::ifstream file(path);
+    if (!file) throw InputError(fmt::format("{}: cannot be opened", path));
+    BenchPack pack;
+    pack.name = path.substr(path.find_last_of('/') + 1);
+    std::string line;
+    for (int number = 1; std::getline(file, line); ++number) {
+        if (line.empty() || line[0] == '#') continue;
+        std::istringstream fields(line);
+        Grain grain;
+        Real radius = 0;
+        if (!(fields >> grain.position.x >> grain.position.y >> grain.position.z >> radius))
+            throw InputError(fmt::format("{}:{}: expected x y z radius", path, number));
+        grain.diameter = 2 * radius;
+        for (int axis = 0; axis < 3; ++axis) pack.upper[axis] = std::fmax(pack.upper[axis], grain.position[axis] + radius);
+        pack.grains.push_back(grain);
+    }
+    for (int axis = 0; axis < 3; ++axis) pack.upper[axis] = std::round(pack.upper[axis] * 1e4) / 1e4;
+    return pack;
+}
+
+BenchPack lattice_pack(int grains)
+{
+    constexpr Real diameter = 0.46e-3, spacing = diameter - 4e-7;
+    int const along = std::max(2, static_cast<int>(std::lround(std::cbrt(static_cast<double>(grains)))));
+    BenchPack pack;
+    pack.name = fmt::format("lattice{}", along * along * along);
+    for (int k = 0; k < along; ++k)
+        for (int j = 0; j < along; ++j)
+            for (int i = 0; i < along; ++i) {
+                Grain grain;
+                grain.diameter = diameter;
+                std::uint64_t const n = pack.grains.size();
+                Vec3 const jitter{random_uniform(1, n, 0), random_uniform(1, n, 1), random_uniform(1, n, 2)};
+                grain.position = Vec3{i + Real(0.5), j + Real(0.5), k + Real(0.5)} * spacing + 1e-8 * jitter;
+                pack.grains.push_back(grain);
+            }
+    pack.upper = Vec3{1, 1, 1} * (along * spacing);
+    return pack;
+}
+
+BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
+{
+    PreparedPack prepared;
+    prepare(pack, settings, prepared);
+    RunState& state = prepared.state;
+    BenchRun run;
+    run.grains = state.particles.count;
+    Clock_::time_point begin;
+    for (int n = 0; n < settings.warm_up + settings.steps; ++n) {
+        if (n == settings.warm_up) {
+            Kokkos::fence();
+            run = BenchRun{};
+            run.grains = state.particles.count;
+            begin = Clock_::now();
+        }
+        auto const t0 = Clock_::now();
+        if (read_health(state.integrator) & list_is_stale) {
+            prepared.search();
+            ++run.searches;
+        }
+        auto const t1 = Clock_::now();
+        prepared.forces.evaluate(settings.dt);
+        auto const t2 = Clock_::now();
+        kick_and_drift(state.integrator, prepared.step, state.particles, state.contacts, force_rows(state.wall_contacts));
+        auto const t3 = Clock_::now();
+        run.seconds_search += seconds_between(t0, t1);
+        run.seconds_evaluate += seconds_between(t1, t2);
+        run.seconds_integrate += seconds_between(t2, t3);
+    }
+    Kokkos::fence();
+    run.seconds = seconds_between(begin, Clock_::now());
+    run.steps = settings.steps;
+    run.candidates_per_grain = static_cast<double>(state.contacts.count) / run.grains;
+    run.contacts_per_grain = static_cast<double>(prepared.forces.report().touching) / run.grains;
+    run.state_hash = hash_state(state.particles);
+    return run;
+}
+
+} // namespace arenite

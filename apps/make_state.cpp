@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "apps/make_state.hpp"
+
+#include "apps/sample.hpp"
+#include "io/checkpoint.hpp"
+#include "io/scene_reader.hpp"
+#include "io/stl.hpp"
+#include "kernels/packing.hpp"
+
+#include <algorithm>
+
+namespace arenite {
+namespace {
+
+std::vector<Real> densities_of(Scene const& scene)
+{
+    std::vector<Real> densities;
+    for (MaterialSettings const& material : scene.materials) densities.push_back(material.density);
+    return densities;
+}
+
+bool is_chosen(GrainGroupSettings const& group, Grain const& grain)
+{
+    auto const holds = [](auto const& list, auto value) { return std::find(list.begin(), list.end(), value) != list.end(); };
+    if (holds(group.ids, static_cast<long long>(grain.id)) || holds(group.classes, grain.size_class)) return true;
+    if (!group.region) return false;
+    for (int axis = 0; axis < 3; ++axis)
+        if (grain.position[axis] < group.region->lower[axis] || grain.position[axis] > group.region->upper[axis]) return false;
+    return true;
+}
+
+void apply_groups(Scene const& scene, std::vector<Grain>& grains)
+{
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+        Grain& grain = grains[i];
+        if (grain.id < 0) grain.id = static_cast<GrainId>(i);
+        if (scene.particles.held) grain.motion = Motion::held;
+        for (GrainGroupSettings const& group : scene.groups) {
+            if (!is_chosen(group, grain)) continue;
+            grain.applied_force += group.force;
+            if (group.held) grain.motion = Motion::held;
+            if (!group.velocity && !group.spin) continue;
+            grain.motion = Motion::prescribed;
+            grain.velocity = group.velocity.value_or(Vec3{});
+            grain.spin = group.spin.value_or(Vec3{});
+        }
+    }
+}
+
+Particles particles_of(Scene const& scene, std::vector<Grain> grains)
+{
+    apply_groups(scene, grains);
+    return make_particles(grains, densities_of(scene));
+}
+
+/// Only the grains of an earlier run: where they are and how they move. Contacts begin anew.
+std::vector<Grain> grains_of_checkpoint(Scene const& scene)
+{
+    CheckpointReader const file(path_of(scene, scene.particles.file));
+    Particles old;
+    file.view("particles/position", old.position);
+    file.view("particles/velocity", old.velocity);
+    file.view("particles/spin", old.spin);
+    file.view("particles/id", old.id);
+    file.view("particles/material", old.material);
+    file.view("particles/size_class", old.size_class);
+    old.count = static_cast<int>(old.id.extent(0));
+    old.motion = View1<Motion>("motion", old.count);
+    return download(old);
+}
+
+Walls walls_of(Scene const& scene)
+{
+    WallContext context;
+    for (MaterialSettings const& material : scene.materials) context.materials.push_back(material.name);
+    context.lower = scene.domain.lower;
+    context.upper = scene.domain.upper;
+    for (WallSettings const& wall : scene.walls)
+        if (wall.shape == WallShape::mesh) context.meshes[wall.name] = read_stl(path_of(scene, wall.file));
+    return make_walls(scene.walls, context);
+}
+
+Region fluid_box(Scene const& scene, RunState const& state)
+{
+    Region box = scene.fluid->box.value_or(Region{scene.domain.lower, scene.domain.upper});
+    if (scene.fluid->fit_wall.empty()) return box;
+    int const wall = state.walls.find(scene.fluid->fit_wall);
+    Vec3 const normal = axis_of(state.walls, wall);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (normal[axis] < Real(-0.5)) box.upper[axis] = state.walls.state[wall].position[axis];
+        if (normal[axis] > Real(0.5)) box.lower[axis] = state.walls.state[wall].position[axis];
+    }
+    return box;
+}
+
+} // namespace
+
+RunState make_run_state(Scene const& scene)
+{
+    RunState state;
+    state.box.lower = scene.domain.lower;
+    state.box.upper = scene.domain.upper;
+    for (int axis = 0; axis < 3; ++axis) state.box.periodic[axis] = scene.domain.periodic[axis];
+    state.walls = walls_of(scene);
+    state.particles = make_particles({}, densities_of(scene));
+    if (scene.particles.source == ParticleSource::file) state.particles = particles_of(scene, grains_of_file(scene).grains);
+    if (scene.particles.source == ParticleSource::checkpoint) state.particles = particles_of(scene, grains_of_checkpoint(scene));
+    return state;
+}
+
+Particles generate_particles(Scene const& scene)
+{
+    DistributionSettings const& distribution = scene.particles.distribution;
+    Region const region = distribution.region.value_or(Region{scene.domain.lower, scene.domain.upper});
+    auto const classes = make_size_classes(distribution, scene.coarse_graining, volume_of(region));
+    int const material = material_row(scene, scene.particles.material);
+    return particles_of(scene, pack_at_random(classes, region, material, scene.random_seed));
+}
+
+void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state)
+{
+    if (!planned.settings.fluid || !scene.fluid) {
+        state.fluid.reset();
+        state.particles.fluid_force = RecordView();
+        return;
+    }
+    if (state.fluid) return; // it goes on from the stage before
+    FluidSettings const& settings = *scene.fluid;
+    bool const with_grains = state.particles.count > 0;
+    Vec3 const gravity = planned.settings.gravity.value_or(scene.domain.gravity);
+    state.fluid = std::make_unique<FluidState>();
+    FluidState& fluid = *state.fluid;
+    fluid.flow = make_flow(settings, fluid_box(scene, state), with_grains, gravity);
+    fluid.boundary = make_boundary(settings, fluid.flow.grid);
+    fluid.solver = make_flow_solver(settings, fluid.flow);
+    if (with_grains) fluid.exchange = make_exchange(fluid.flow, state.particles, settings, scene.coarse_graining.factor);
+}
+
+Real smallest_grain_diameter(Particles const& particles)
+{
+    if (particles.count == 0) return 1;
+    Real smallest = 0;
+    RecordView const position = particles.position;
+    Kokkos::parallel_reduce(
+        "smallest_radius", RangePolicy(0, particles.count),
+        KOKKOS_LAMBDA(int i, Real& least) { least = Kokkos::fmin(least, position(i, 3)); }, Kokkos::Min<Real>(smallest));
+    return 2 * smallest;
+}
+
+} // namespace arenite

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "apps/run.hpp"
+
+#include "apps/make_state.hpp"
+#include "apps/run_checkpoint.hpp"
+#include "apps/stage_loop.hpp"
+#include "core/error.hpp"
+#include "io/build_info.hpp"
+#include "io/checkpoint_folder.hpp"
+#include "io/scene_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+namespace arenite {
+namespace {
+
+namespace fs = std::filesystem;
+
+Until parse_until(std::string const& text, Scene const& scene)
+{
+    Until until;
+    if (text.empty()) return until;
+    Real time = 0;
+    auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
+    if (error == std::errc() && end == text.data() + text.size()) {
+        until.time = time;
+        return until;
+    }
+    bool const known = std::any_of(scene.stages.begin(), scene.stages.end(), [&](auto const& s) { return s.name == text; });
+    if (!known) {
+        std::string names;
+        for (StageSettings const& stage : scene.stages) names += (names.empty() ? "" : ", ") + stage.name;
+        throw InputError(fmt::format("--until {}: neither a time in s nor a stage of the scene ({})", text, names));
+    }
+    until.stage = text;
+    return until;
+}
+
+fs::path folder_of(RunOptions const& options)
+{
+    return options.folder.empty() ? fs::path("runs") / fs::path(options.scene).stem() : fs::path(options.folder);
+}
+
+/// A folder that holds another run is not written over in silence.
+void check_folder(fs::path const& folder, bool resume)
+{
+    if (resume && !fs::is_directory(folder)) throw InputError(fmt::format("--resume: there is no run in {}", folder.string()));
+}
+
+RunState resumed_state(RunOptions const& options, fs::path const& folder, Scene const& scene, StagePlan const& plan)
+{
+    std::vector<std::string> messages;
+    std::optional<fs::path> path;
+    if (!options.checkpoint.empty()) path = options.checkpoint;
+    else path = latest_checkpoint(folder, scene.hash, messages);
+    for (std::string const& message : messages) std::fputs(("passed over: " + message + "\n").c_str(), stderr);
+    if (!path) throw InputError(fmt::format("--resume: no checkpoint of this scene in {}", folder.string()));
+    RunState state = load_checkpoint(*path, scene, plan);
+    if (!options.quiet)
+        std::fputs(fmt::format("resumed from {}: step {}, {:.6g} s\n", path->string(), state.clock.step, state.clock.time()).c_str(), stdout);
+    return state;
+}
+
+/// Runs the stages; returns how the run ended.
+std::string run_stages(Scene const& scene, StagePlan const& plan, Until const& until, RunState& state, RunOutput& output)
+{
+    while (state.clock.stage < static_cast<int>(plan.size())) {
+        PlannedStage const& planned = plan[state.clock.stage];
+        std::string const ended = run_stage(scene, planned, until, state, output);
+        if (ended == "stopped") {
+            output.write_checkpoint(state, false);
+            return "stopped";
+        }
+        state.clock = {state.clock.stage + 1, state.clock.step, 0, state.clock.time(), 0};
+        state.tuned_friction = -1;
+        output.write_checkpoint(state, true);
+        bool const last_part = state.clock.stage == static_cast<int>(plan.size()) || plan[state.clock.stage].scene_stage != planned.scene_stage;
+        if (last_part && scene.stages[planned.scene_stage].name == until.stage) return "stopped";
+    }
+    return "done";
+}
+
+} // namespace
+
+int run_scene(RunOptions const& options)
+{
+    Scene const scene = read_scene(options.scene, options.overrides);
+    StagePlan const plan = make_stage_plan(scene);
+    Until const until = parse_until(options.until, scene);
+    fs::path const folder = folder_of(options);
+    check_folder(folder, options.resume);
+    RunState state = options.resume ? resumed_state(options, folder, scene, plan) : make_run_state(scene);
+    for (std::string const& message : left_out_messages()) std::fputs((message + "\n").c_str(), stderr);
+
+    std::optional<ResumePoint> resume;
+    if (options.resume) resume = ResumePoint{state.clock.step, state.clock.time()};
+    make_folder(folder);
+    if (resume) drop_checkpoints_after(folder, resume->step);
+    else drop_checkpoints_after(folder, -1);
+    RunOutput output(folder, scene, plan, resume, options.quiet);
+    try {
+        std::string const outcome = run_stages(scene, plan, until, state, output);
+        output.finish(outcome);
+        output.say(fmt::format("{}: {} grains produced, {:.6g} kg; look at {}", outcome, state.tally.produced_count,
+                               state.tally.produced_mass, folder.string()));
+        return 0;
+    } catch (SimulationError const& error) {
+        output.finish(error.what());
+        std::fputs(fmt::format("error: {}\nthe last checkpoint in {} is the last good state\n", error.what(), folder.string()).c_str(), stderr);
+        return 1;
+    }
+}
+
+} // namespace arenite

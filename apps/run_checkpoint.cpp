@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "apps/run_checkpoint.hpp"
+
+#include "apps/make_state.hpp"
+#include "io/checkpoint.hpp"
+
+namespace arenite {
+namespace {
+
+/// Calls f(name, member) for everything of fixed size.
+template <class State, class Function> void for_each_number(State& state, Function const& f)
+{
+    f("clock/stage", state.clock.stage);
+    f("clock/step", state.clock.step);
+    f("clock/stage_step", state.clock.stage_step);
+    f("clock/stage_start", state.clock.stage_start);
+    f("clock/dt", state.clock.dt);
+    f("tally/produced_mass", state.tally.produced_mass);
+    f("tally/produced_count", state.tally.produced_count);
+    f("tally/lost_count", state.tally.lost_count);
+    f("search/skin", state.skin);
+    f("search/last", state.last_search);
+    f("stage/tuned_friction", state.tuned_friction);
+    static char const* const names[] = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        f(std::string("box/lower_") + names[axis], state.box.lower[axis]);
+        f(std::string("box/upper_") + names[axis], state.box.upper[axis]);
+        f(std::string("box/strain_rate_") + names[axis], state.box.strain_rate[axis]);
+    }
+}
+
+/// Calls f(name, view) for every View of the grains and of their contacts; some may be unallocated.
+template <class State, class Function> void for_each_array(State& state, Function const& f)
+{
+    f("particles/position", state.particles.position);
+    f("particles/velocity", state.particles.velocity);
+    f("particles/spin", state.particles.spin);
+    f("particles/force", state.particles.force);
+    f("particles/torque", state.particles.torque);
+    f("particles/id", state.particles.id);
+    f("particles/material", state.particles.material);
+    f("particles/size_class", state.particles.size_class);
+    f("particles/applied_force", state.particles.applied_force);
+    f("particles/fluid_force", state.particles.fluid_force);
+    f("contacts/row_begin", state.contacts.row_begin);
+    f("contacts/second", state.contacts.second);
+    f("contacts/touching", state.contacts.touching);
+    f("contacts/adhering", state.contacts.adhering);
+    f("contacts/spring", state.contacts.spring);
+    f("contacts/force", state.contacts.force);
+}
+
+/// Motion as bytes, since a checkpoint knows numbers only.
+View1<std::uint8_t> motion_bytes(Particles const& particles)
+{
+    View1<std::uint8_t> const bytes(uninitialized("motion_bytes"), particles.count);
+    View1<Motion> const motion = particles.motion;
+    Kokkos::parallel_for(
+        "motion_bytes", RangePolicy(0, particles.count),
+        KOKKOS_LAMBDA(int i) { bytes(i) = static_cast<std::uint8_t>(motion(i)); });
+    return bytes;
+}
+
+void restore_motion(View1<std::uint8_t> const& bytes, Particles& particles)
+{
+    particles.motion = View1<Motion>(uninitialized("motion"), bytes.extent(0));
+    View1<Motion> const motion = particles.motion;
+    Kokkos::parallel_for(
+        "restore_motion", RangePolicy(0, static_cast<int>(bytes.extent(0))),
+        KOKKOS_LAMBDA(int i) { motion(i) = static_cast<Motion>(bytes(i)); });
+}
+
+void save_named(CheckpointWriter& out, std::string const& group, std::map<std::string, std::vector<Real>> const& arrays)
+{
+    for (auto const& [name, values] : arrays) out.array(group + name, values);
+}
+
+std::map<std::string, std::vector<Real>> load_named(CheckpointReader const& in, std::string const& group)
+{
+    std::map<std::string, std::vector<Real>> arrays;
+    for (std::string const& name : in.names())
+        if (name.rfind(group, 0) == 0) arrays[name.substr(group.size())] = in.array<Real>(name);
+    return arrays;
+}
+
+void save_fluid(CheckpointWriter& out, FluidState& fluid)
+{
+    for_each_state_field(fluid.flow, fluid.solver, [&](std::string const& name, auto& field) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Real>) out.value("fluid/" + name, field);
+        else if (field.is_allocated()) out.array("fluid/" + name, field);
+    });
+    Vec3 const lower = fluid.flow.grid.lower, spacing = fluid.flow.grid.spacing;
+    out.array("fluid/grid", std::vector<Real>{lower.x, lower.y, lower.z, spacing.x, spacing.y, spacing.z});
+    CoupledSet const& coupled = fluid.exchange.coupled;
+    out.value("coupled/count", coupled.count);
+    out.value("coupled/digest", static_cast<std::int64_t>(coupled.digest));
+    if (coupled.count > 0) {
+        auto const rows = Kokkos::make_pair(0, coupled.count);
+        View1<GrainId> const id("coupled_id", coupled.count);
+        RecordView const position("coupled_position", coupled.count);
+        Kokkos::deep_copy(id, Kokkos::subview(coupled.id, rows));
+        Kokkos::deep_copy(position, Kokkos::subview(coupled.position, rows, Kokkos::ALL));
+        out.array("coupled/id", id);
+        out.array("coupled/position", position);
+    }
+}
+
+void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage const& planned, RunState& state)
+{
+    RecordView const held_force = state.particles.fluid_force;
+    prepare_fluid(scene, planned, state); // the wall that the box may fit to is where it was
+    if (held_force.is_allocated()) state.particles.fluid_force = held_force;
+    FluidState& fluid = *state.fluid;
+    for_each_state_field(fluid.flow, fluid.solver, [&](std::string const& name, auto& field) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Real>) field = in.value<Real>("fluid/" + name);
+        else if (in.has("fluid/" + name)) in.view("fluid/" + name, field);
+    });
+    CoupledSet& coupled = fluid.exchange.coupled;
+    coupled.count = in.value<int>("coupled/count");
+    coupled.digest = static_cast<std::uint64_t>(in.value<std::int64_t>("coupled/digest"));
+    if (coupled.count > 0) {
+        in.view("coupled/id", coupled.id);
+        in.view("coupled/position", coupled.position);
+    }
+}
+
+} // namespace
+
+void save_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan, RunState& state,
+                     bool stage_end)
+{
+    int const stage = std::min<int>(state.clock.stage, static_cast<int>(plan.size()) - 1);
+    CheckpointWriter out(path, {state.clock.step, state.clock.time(), plan[stage].label, stage_end, scene.hash});
+    for_each_number(state, [&](std::string const& name, auto const& number) { out.value(name, number); });
+    for_each_array(state, [&](std::string const& name, auto const& view) {
+        if (view.is_allocated()) out.array(name, view);
+    });
+    out.array("particles/motion", motion_bytes(state.particles));
+    out.value("contacts/count", state.contacts.count);
+    save_named(out, "walls/", save_walls(state.walls));
+    save_named(out, "wall_contacts/", save_wall_contacts(state.wall_contacts));
+    out.value("fluid/present", state.fluid ? 1 : 0);
+    if (state.fluid) save_fluid(out, *state.fluid);
+    out.commit();
+}
+
+RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan)
+{
+    CheckpointReader const in(path);
+    in.require_scene(scene.hash);
+    RunState state = make_run_state(scene);
+    for_each_number(state, [&](std::string const& name, auto& number) { number = in.value<std::decay_t<decltype(number)>>(name); });
+    for_each_array(state, [&](std::string const& name, auto& view) {
+        view = {};
+        if (in.has(name)) in.view(name, view);
+    });
+    View1<std::uint8_t> motion;
+    in.view("particles/motion", motion);
+    restore_motion(motion, state.particles);
+    state.particles.count = static_cast<int>(state.particles.id.extent(0));
+    state.contacts.count = in.value<int>("contacts/count");
+    state.contacts.needs = {state.contacts.spring.is_allocated(), state.contacts.adhering.is_allocated()};
+    restore_walls(state.walls, load_named(in, "walls/"));
+    state.wall_contacts = restore_wall_contacts(load_named(in, "wall_contacts/"));
+    if (in.value<int>("fluid/present")) {
+        bool const between = state.clock.stage_step == 0; // the next stage may drop the fluid: then the one before had it
+        load_fluid(in, scene, plan[state.clock.stage - (between ? 1 : 0)], state);
+    }
+    return state;
+}
+
+} // namespace arenite

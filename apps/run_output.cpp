@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "apps/run_output.hpp"
+
+#include "apps/run_checkpoint.hpp"
+#include "apps/sample.hpp"
+#include "apps/stage_watch.hpp"
+#include "io/checkpoint_folder.hpp"
+#include "kernels/contact_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace arenite {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+HistoryColumns columns_of(Scene const& scene)
+{
+    HistoryColumns columns;
+    for (WallSettings const& wall : scene.walls) columns.walls.push_back(wall.name);
+    columns.fluid = scene.fluid.has_value();
+    if (scene.output.energies) columns.extra = {"elastic_energy", "tangential_energy", "rotation_energy"};
+    return columns;
+}
+
+std::int64_t steps_of(Real interval, Real dt) { return interval > 0 ? std::max<std::int64_t>(1, std::llround(interval / dt)) : 0; }
+
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+    return Seconds(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+RunOutput::RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan const& plan,
+                     std::optional<ResumePoint> const& resume, bool quiet)
+    : folder_(std::move(folder)), scene_(scene), plan_(plan), history_(folder_, columns_of(scene), resume),
+      ledger_(folder_, resume), fields_(folder_, resume), run_begin_(std::chrono::steady_clock::now()), quiet_(quiet)
+{
+    fields_.choose_grain_fields(scene.output.grain_fields);
+    fields_.choose_fluid_fields(scene.output.fluid_fields);
+    summary_.scene = scene.path;
+    summary_.title = scene.title;
+    summary_.scene_hash = scene.hash;
+    summary_.random_seed = scene.random_seed;
+    if (resume) summary_.resumed_from_step = resume->step;
+    write_file_atomically(folder_ / "scene.toml", scene.resolved);
+}
+
+OutputCadence RunOutput::cadence(PlannedStage const& planned) const
+{
+    StageSettings const& stage = planned.settings;
+    OutputSettings const& output = scene_.output;
+    Real const history = stage.history_interval.value_or(output.history_interval);
+    constexpr std::int64_t rows_without_duration = 1000; // steps a row where nobody knows how long the stage takes
+    OutputCadence cadence;
+    cadence.history = steps_of(history, planned.dt);
+    if (cadence.history == 0)
+        cadence.history = stage.duration > 0 && !stage.end.any() ? steps_of(stage.duration / 100, planned.dt) : rows_without_duration;
+    cadence.fields = steps_of(stage.field_interval.value_or(output.field_interval), planned.dt);
+    cadence.checkpoint = steps_of(stage.checkpoint_interval.value_or(output.checkpoint_interval), planned.dt);
+    return cadence;
+}
+
+void RunOutput::begin_stage(PlannedStage const& planned, RunState const& state)
+{
+    planned_ = &planned;
+    cadence_ = cadence(planned);
+    stage_begin_ = std::chrono::steady_clock::now();
+    stage_first_step_ = state.clock.step;
+    tally_at_begin_ = state.tally;
+    summary_.stages.emplace_back();
+    stage().name = planned.label;
+    say(fmt::format("{}: {} grains, dt {:.4g} s ({:.1f} % of Rayleigh's time, {:.1f} % of the lattice limit at {:.3g} Pa)", planned.label,
+                    state.particles.count, planned.dt, 100 * planned.dt / std::max(planned.limits.rayleigh, Real(1e-300)),
+                    planned.limits.lattice > 0 ? 100 * planned.dt / planned.limits.lattice : 0, planned.limits.pressure));
+}
+
+void RunOutput::write_start(RunState& state, Look const& look)
+{
+    write_history(state, look);
+    write_fields(state);
+}
+
+void RunOutput::write_history(RunState& state, Look const& look)
+{
+    HistoryRow row;
+    row.time = state.clock.time();
+    row.stage = planned_->label;
+    row.step = state.clock.step;
+    row.grains = state.particles.count;
+    row.contacts = look.contacts.touching;
+    row.bonds = look.contacts.adhering;
+    row.kinetic_energy = look.grains.kinetic_energy();
+    row.porosity = look.porosity;
+    if (state.particles.count > 0) row.coordination = 2 * static_cast<Real>(look.contacts.touching) / state.particles.count;
+    for (int w = 0; w < state.walls.count(); ++w)
+        row.wall_forces.push_back(state.walls.state[w].present ? std::optional<Vec3>(look.walls[w].force) : std::nullopt);
+    row.produced_mass = state.tally.produced_mass;
+    row.produced_count = state.tally.produced_count;
+    row.max_overlap_ratio = std::max(look.contacts.highest_overlap_ratio, look.wall_overlap_ratio);
+    if (state.fluid) row.flow = state.fluid->report;
+    if (scene_.output.energies) row.extra = {look.contacts.elastic, look.contacts.tangential, look.grains.rotation};
+    history_.add(row);
+}
+
+void RunOutput::write_fields(RunState& state)
+{
+    if (last_fields_step_ == state.clock.step && !state.fluid) return;
+    last_fields_step_ = state.clock.step;
+    GrainCounts counts;
+    counts.bonds = View1<int>("bonds", state.particles.count);
+    counts.coordination = View1<int>("coordination", state.particles.count);
+    count_bonds(state.particles, state.contacts, counts.bonds, counts.coordination);
+    fields_.write(take_snapshot(state.particles, state.clock.time(), counts));
+    if (!state.fluid) return;
+    FluidSnapshot const fluid = take_snapshot(state.fluid->flow, state.clock.time());
+    fields_.write(fluid);
+    fields_.write_streamlines(fluid, scene_.output.streamlines);
+}
+
+void RunOutput::fluid_warnings(RunState const& state)
+{
+    if (!state.fluid) return;
+    ExchangeReport const& report = state.fluid->exchange.report;
+    if (report.limited_cells > 0)
+        warn("porosity_limited", fmt::format("step {}: {} cells held more grains than the minimum porosity allows ({:.4g}); {:.3g} m3 "
+                                             "of grains are unseen by the fluid",
+                                             state.clock.step, report.limited_cells, report.lowest_porosity, report.limited_volume));
+    if (!state.fluid->report.converged)
+        warn("pressure_not_converged", fmt::format("step {}: the pressure solve stopped at a relative residual of {:.3g}", state.clock.step,
+                                                   state.fluid->report.pressure_residual));
+}
+
+void RunOutput::write_due(StageSetup const& setup, RunState& state, StageWatch& watch, bool ended)
+{
+    std::int64_t const step = state.clock.stage_step;
+    if (ended || OutputCadence::due(cadence_.history, step)) write_history(state, watch.look(setup, state));
+    if (ended || OutputCadence::due(cadence_.fields, step)) write_fields(state);
+    fluid_warnings(state);
+    stage().particle_steps = static_cast<Real>(state.particles.count) * static_cast<Real>(state.clock.step - stage_first_step_);
+    if (!quiet_)
+        progress_.update({planned_->label, state.clock.stage_time(), planned_->settings.duration, state.clock.step, state.particles.count});
+}
+
+void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& watch, std::string const& ended_by)
+{
+    Look const& look = watch.look(setup, state);
+    StageSummary& s = stage();
+    s.ended_by = ended_by;
+    s.wall_time = seconds_since(stage_begin_);
+    s.simulated_time = state.clock.stage_time();
+    s.steps = state.clock.step - stage_first_step_;
+    s.grains = state.particles.count;
+    s.contacts = look.contacts.touching;
+    s.bonds = look.contacts.adhering;
+    s.porosity = look.porosity;
+    if (state.particles.count > 0) s.coordination = 2 * static_cast<Real>(look.contacts.touching) / state.particles.count;
+    s.kinetic_energy = look.grains.kinetic_energy();
+    s.max_overlap_ratio = watch.highest_overlap_ratio();
+    s.produced_mass = state.tally.produced_mass - tally_at_begin_.produced_mass;
+    s.produced_count = state.tally.produced_count - tally_at_begin_.produced_count;
+    for (int w = 0; w < state.walls.count(); ++w) {
+        if (!state.walls.state[w].present) continue;
+        WallSummary wall{state.walls.settings[w].name, look.walls[w].force, {}};
+        if (state.walls.settings[w].shape == WallShape::plane) wall.stress = wall_stress(state.walls, w, look.walls[w], 0, state.box);
+        s.walls.push_back(wall);
+    }
+    s.values["elastic_energy_J"] = look.contacts.energy();
+    s.values["grain_mass_kg"] = look.grains.mass;
+    s.values["time_step_s"] = planned_->dt;
+    s.values["time_step_over_contact_limit"] = watch.highest_step_ratio();
+    s.values["searches"] = static_cast<Real>(setup.searches);
+    if (state.tuned_friction >= 0) s.values["tuned_friction"] = state.tuned_friction;
+    history_.flush();
+    ledger_.flush();
+    say(fmt::format("{}: {} after {:.6g} s and {} steps; porosity {:.4f}, {:.2f} contacts a grain, {} bonds, kinetic over elastic energy "
+                    "{:.2e}; {:.1f} s, {:.3g} particle-steps/s",
+                    planned_->label, ended_by, s.simulated_time, s.steps, s.porosity.value_or(1), s.coordination.value_or(0), s.bonds,
+                    look.contacts.energy() > 0 ? s.kinetic_energy / look.contacts.energy() : 0, s.wall_time,
+                    s.wall_time > 0 ? s.particle_steps / s.wall_time : 0));
+}
+
+bool RunOutput::checkpoint_is_due(RunState const& state) const { return OutputCadence::due(cadence_.checkpoint, state.clock.stage_step); }
+
+void RunOutput::write_checkpoint(RunState& state, bool stage_end)
+{
+    history_.flush();
+    ledger_.flush();
+    if (!can_write_checkpoints()) return;
+    save_checkpoint(checkpoint_path(folder_, state.clock.step), scene_, plan_, state, stage_end);
+    prune_checkpoints(folder_);
+}
+
+Real RunOutput::write_produced(Grain const& grain, RunState const& state)
+{
+    Real const mass = scene_.materials[grain.material].density * 3.14159265358979323846 / 6 * std::pow(grain.diameter, 3);
+    ledger_.add({state.clock.time(), grain.id, grain.size_class, grain.diameter, scene_.coarse_graining.factor, mass, grain.position,
+                 grain.velocity});
+    return mass;
+}
+
+void RunOutput::warn(std::string const& kind, std::string const& message)
+{
+    constexpr std::int64_t shown = 3;
+    std::int64_t const count = ++stage().warnings[kind];
+    if (count > shown) return;
+    progress_.clear();
+    std::fputs(fmt::format("warning: {}{}\n", message, count == shown ? " (more of this kind are only counted)" : "").c_str(), stderr);
+}
+
+void RunOutput::say(std::string const& message)
+{
+    if (quiet_) return;
+    progress_.clear();
+    std::fputs((message + "\n").c_str(), stdout);
+    std::fflush(stdout);
+}
+
+void RunOutput::finish(std::string const& outcome)
+{
+    summary_.outcome = outcome;
+    summary_.wall_time = seconds_since(run_begin_);
+    write_summary(folder_, summary_);
+}
+
+} // namespace arenite

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Everything that changes in a run. A checkpoint holds all of it (apps/run_checkpoint.hpp).
+#pragma once
+
+#include "core/contact_list.hpp"
+#include "core/particles.hpp"
+#include "core/reproducible_sum.hpp"
+#include "core/walls.hpp"
+#include "fluid/advance_flow.hpp"
+#include "fluid/exchange.hpp"
+#include "kernels/integrate.hpp"
+#include "kernels/wall_contacts.hpp"
+
+#include <memory>
+
+namespace arenite {
+
+/// Where the run is. Counts, never sums of steps: times are made from them.
+struct Clock {
+    int stage = 0;                // in the plan
+    std::int64_t step = 0;        // grain steps since the start of the run
+    std::int64_t stage_step = 0;  // since the start of the stage
+    Real stage_start = 0;         // s
+    Real dt = 0;                  // s, of the stage
+
+    Real time() const { return stage_start + static_cast<Real>(stage_step) * dt; }
+    Real stage_time() const { return static_cast<Real>(stage_step) * dt; }
+};
+
+/// The fluid's part; a run whose stages have no fluid never makes one.
+struct FluidState {
+    Flow flow;
+    FlowBoundary boundary;
+    FlowSolver solver;
+    Exchange exchange;
+    FlowReport report;
+};
+
+struct Tally {
+    Real produced_mass = 0;          // kg
+    std::int64_t produced_count = 0;
+    std::int64_t lost_count = 0;     // grains that left the domain other than through the outlet
+};
+
+struct RunState {
+    Clock clock;
+    Particles particles;
+    PeriodicBox box;
+    Walls walls;
+    ContactList contacts;
+    WallContacts wall_contacts;
+    Integrator integrator;
+    std::unique_ptr<FluidState> fluid;
+    Tally tally;
+    Real skin = 0;                   // m, adapts to how often the list goes stale
+    std::int64_t last_search = 0;    // step
+    Real tuned_friction = -1;        // of the running stage while it tunes; below 0: the material's own
+    SumWorkspace sums;               // scratch
+};
+
+} // namespace arenite

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The stage's contact laws, chosen once: what the step calls is bound to the law's own kernels here.
+#pragma once
+
+#include "apps/run_state.hpp"
+#include "apps/stage_plan.hpp"
+#include "kernels/diagnostics.hpp"
+
+#include <functional>
+
+namespace arenite {
+
+struct StageForces {
+    ContactNeeds needs, wall_needs;
+    std::function<void(Real dt)> evaluate;             // forces of grains and walls where everything is now
+    std::function<ContactReport()> report;             // energies and counts of the grains' contacts
+};
+
+/// Binds the laws of the planned stage to the state, which must outlive the result. friction below 0: the
+/// materials' own, otherwise that of every pair of grains.
+StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunState& state);
+
+} // namespace arenite

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "apps/stage_loop.hpp"
+
+#include "apps/sample.hpp"
+#include "apps/stage_setup.hpp"
+#include "apps/stage_watch.hpp"
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+namespace arenite {
+namespace {
+
+/// Velocities stand at the time of the positions only where somebody looks; in between kick and drift are one kernel.
+struct Cadence {
+    int fluid = 0, production = 0, check = 0;
+    OutputCadence output;
+
+    bool stops_at(std::int64_t step) const
+    {
+        return (fluid > 0 && step % fluid == 0) || step % production == 0 || step % check == 0 || output.due(step);
+    }
+};
+
+Cadence make_cadence(PlannedStage const& planned, RunOutput const& output)
+{
+    constexpr int production_interval = 100, check_interval = 100; // steps
+    return {planned.coupling_interval, production_interval, check_interval, output.cadence(planned)};
+}
+
+void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
+{
+    if (particles.count > 0) {
+        deposit_porosity(fluid.flow, fluid.exchange, particles);
+        deposit_drag(fluid.flow, fluid.exchange, particles);
+    }
+    fluid.report = advance_flow(fluid.flow, fluid.boundary, fluid.solver, fluid_dt);
+    if (particles.count > 0) evaluate_fluid_force(fluid.flow, fluid.exchange, particles);
+}
+
+/// From one moment at which somebody looks to the next.
+void advance_grains(StageSetup& setup, Cadence const& cadence, RunState& state)
+{
+    StepSettings const& step = setup.step;
+    drift(state.integrator, step, state.particles, state.contacts);
+    for (;;) {
+        ++state.clock.step;
+        ++state.clock.stage_step;
+        advance_walls(setup, state);
+        search_if_stale(setup, state);
+        setup.forces.evaluate(step.dt);
+        drive_servos(setup, state);
+        WallForceRows const wall_rows = force_rows(state.wall_contacts);
+        if (cadence.stops_at(state.clock.stage_step)) {
+            kick(state.integrator, step, state.particles, state.contacts, wall_rows);
+            return;
+        }
+        kick_and_drift(state.integrator, step, state.particles, state.contacts, wall_rows);
+    }
+}
+
+} // namespace
+
+std::string run_stage(Scene const& scene, PlannedStage const& planned, Until const& until, RunState& state,
+                      RunOutput& output)
+{
+    bool const resumes = state.clock.stage_step > 0;
+    StageSetup setup = resumes ? resume_stage(scene, planned, state) : begin_stage(scene, planned, state);
+    if (planned.settings.kind == StageKind::generation) return "grains placed";
+
+    Cadence const cadence = make_cadence(planned, output);
+    StageWatch watch(scene, planned, until);
+    output.begin_stage(planned, state);
+    if (!resumes) output.write_start(state, watch.look(setup, state));
+    for (bool first = true;; first = false) {
+        if (!(first && resumes)) {
+            std::optional<std::string> const ended = watch.has_ended(setup, state);
+            if (!first) {
+                output.write_due(setup, state, watch, ended.has_value());
+                if (remove_departed(setup, state, output) || output.checkpoint_is_due(state)) search(setup, state);
+                if (!ended && output.checkpoint_is_due(state)) output.write_checkpoint(state, false);
+            }
+            if (ended) {
+                output.end_stage(setup, state, watch, *ended);
+                return *ended;
+            }
+        }
+        if (cadence.fluid > 0 && state.clock.stage_step % cadence.fluid == 0)
+            advance_fluid(*state.fluid, state.particles, cadence.fluid * planned.dt);
+        advance_grains(setup, cadence, state);
+        watch.check_health(setup, state);
+    }
+}
+
+} // namespace arenite

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// From the scene's stages to what the driver runs: a fast compression becomes the ordinary stages that it
+// stands for, time steps and laws are settled, all before anything moves.
+#pragma once
+
+#include "core/coarse_graining.hpp"
+#include "core/critical_time_step.hpp"
+#include "core/scene.hpp"
+
+namespace arenite {
+
+struct PlannedStage {
+    StageSettings settings;             // kind generation or dynamics
+    std::string label;                  // "compression", or "compression/press" for a part of it
+    int scene_stage = 0;                // row of Scene::stages
+    TimeStepLimits limits;
+    Real dt = 0;                        // s
+    int coupling_interval = 0;          // grain steps per fluid step; 0 without fluid
+    bool form_bonds = false;            // touching contacts become bonds at the start
+    std::vector<PairConstants> pairs, wall_pairs; // [material][material]
+};
+
+using StagePlan = std::vector<PlannedStage>;
+
+/// Throws InputError for what only shows when everything is known: a fluid step that is not a whole number of grain
+/// steps, a stage without a time step.
+StagePlan make_stage_plan(Scene const& scene);
+
+/// Largest stress [Pa] that a servo of the scene holds: what critical time steps are computed for.
+Real reference_stress(Scene const& scene);
+
+/// Diameter [m] of the smallest grain that the scene will have.
+Real smallest_diameter(Scene const& scene);
+
+} // namespace arenite

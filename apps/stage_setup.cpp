@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "apps/stage_setup.hpp"
+
+#include "apps/make_state.hpp"
+#include "apps/sample.hpp"
+#include "core/error.hpp"
+#include "core/wall_motion.hpp"
+#include "kernels/contact_search.hpp"
+#include "kernels/production.hpp"
+#include "kernels/stress.hpp"
+#include "kernels/wall_reactions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arenite {
+namespace {
+
+/// A look at the device's flag costs a synchronisation there and nothing on the host.
+constexpr int health_interval =
+    Kokkos::SpaceAccessibility<HostSpace, MemorySpace>::accessible ? 1 : 8;
+
+void set_skin_limits(StageSetup& setup, RunState& state, Real smallest_diameter)
+{
+    Real reach = 0; // how far apart adhering grains can be
+    for (PairConstants const& pair : setup.planned->pairs)
+        if (pair.surface_energy > 0)
+            reach = std::max(reach, -pair.break_overlap * pair.length_factor * std::cbrt(10 * smallest_diameter));
+    setup.least_skin = std::max(Real(0.03) * smallest_diameter, 4 * reach);
+    setup.most_skin = std::max(Real(0.3) * smallest_diameter, setup.least_skin);
+    if (!(state.skin > 0)) state.skin = Real(0.1) * smallest_diameter;
+    state.skin = std::clamp(state.skin, setup.least_skin, setup.most_skin);
+}
+
+StageSetup make_setup(Scene const& scene, PlannedStage const& planned, RunState& state)
+{
+    StageSettings const& stage = planned.settings;
+    StageSetup setup;
+    setup.planned = &planned;
+    setup.forces = make_stage_forces(planned, state.tuned_friction, state);
+    setup.step.dt = planned.dt;
+    setup.step.gravity = stage.gravity.value_or(scene.domain.gravity);
+    setup.step.local_damping = stage.local_damping;
+    setup.step.box_lower = state.box.lower;
+    setup.health_interval = health_interval;
+    if (!stage.outlet_wall.empty()) setup.outlet = state.walls.find(stage.outlet_wall);
+    if (!stage.carrier.empty()) setup.carrier = state.walls.find(stage.carrier);
+    setup.step.strain_rate = state.box.strain_rate;
+    setup.walls_move = any_wall_moves(state.walls);
+    set_skin_limits(setup, state, smallest_grain_diameter(state.particles));
+    return setup;
+}
+
+/// The box follows the step that the grains just made; then the next rates: those that the scene gives, and those that
+/// bring the stress of an axis to its target.
+void steer_box(StageSetup const& setup, RunState& state)
+{
+    constexpr int interval = 10; // steps between two looks at the stress
+    BoxSettings const& box = *setup.planned->settings.box;
+    Vec3 const size = state.box.size();
+    for (int axis = 0; axis < 3; ++axis)
+        state.box.upper[axis] = state.box.lower[axis] + size[axis] * (1 + setup.step.dt * state.box.strain_rate[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.strain_rate[axis]) state.box.strain_rate[axis] = *box.strain_rate[axis];
+    bool const steers = box.stress[0] || box.stress[1] || box.stress[2];
+    if (!steers || state.clock.stage_step % interval != 0) return;
+    Vec3 const stress = mean_stress(state.particles, state.box, state.contacts, state.sums);
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.stress[axis]) { // full rate at a stress that is off by its own size
+            Real const miss = (stress[axis] - *box.stress[axis]) / std::max(std::fabs(*box.stress[axis]), Real(1));
+            state.box.strain_rate[axis] = std::clamp(miss, Real(-1), Real(1)) * box.max_strain_rate;
+        }
+}
+
+/// The sample strains as the carrier moves, about the far end of the domain.
+void ride_on_carrier(StageSetup& setup, RunState& state)
+{
+    Vec3 const axis = axis_of(state.walls, setup.carrier);
+    WallState const& wall = state.walls.state[setup.carrier];
+    Region const sample = sample_region(state.walls, state.box);
+    state.box.strain_rate = {};
+    for (int n = 0; n < 3; ++n) {
+        if (std::fabs(axis[n]) < Real(0.5)) continue;
+        Real const fixed = axis[n] < 0 ? sample.lower[n] : sample.upper[n];
+        state.box.strain_rate[n] = wall.velocity[n] / (wall.position[n] - fixed);
+        setup.step.box_lower[n] = fixed;
+    }
+}
+
+} // namespace
+
+StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState& state)
+{
+    StageSettings const& stage = planned.settings;
+    if (stage.kind == StageKind::generation) {
+        state.particles = generate_particles(scene);
+        return {};
+    }
+    begin_stage(state.walls, stage.walls);
+    state.clock.dt = planned.dt;
+    state.box.strain_rate = {};
+    if (stage.box)
+        for (int axis = 0; axis < 3; ++axis) state.box.strain_rate[axis] = stage.box->strain_rate[axis].value_or(0);
+    state.tuned_friction = stage.target_porosity > 0 ? planned.pairs.front().friction : -1;
+    prepare_fluid(scene, planned, state);
+    StageSetup setup = make_setup(scene, planned, state);
+    search(setup, state);
+    if (planned.form_bonds && setup.forces.needs.bonds) form_bonds(state.particles, state.box, state.contacts);
+    setup.forces.evaluate(0); // no time passes: springs and wall poses stay
+    StepSettings still = setup.step;
+    still.dt = 0;
+    kick(state.integrator, still, state.particles, state.contacts, force_rows(state.wall_contacts));
+    return setup;
+}
+
+StageSetup resume_stage(Scene const& scene, PlannedStage const& planned, RunState& state)
+{
+    StageSetup setup = make_setup(scene, planned, state);
+    search(setup, state);
+    return setup;
+}
+
+void set_friction(StageSetup& setup, RunState& state, Real friction)
+{
+    state.tuned_friction = friction;
+    setup.forces = make_stage_forces(*setup.planned, friction, state);
+}
+
+void search(StageSetup& setup, RunState& state, View1<int> const& keep)
+{
+    search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep}, state.contacts);
+    search_wall_contacts(state.particles, state.walls, state.skin, setup.forces.wall_needs, state.wall_contacts);
+    setup.step.allowed_move = state.skin / 2 * (health_interval > 1 ? Real(0.7) : Real(1));
+    state.last_search = state.clock.step;
+    ++setup.searches;
+}
+
+void search(StageSetup& setup, RunState& state) { search(setup, state, {}); }
+
+void search_if_stale(StageSetup& setup, RunState& state)
+{
+    if (state.clock.stage_step % setup.health_interval != 0) return;
+    unsigned const health = read_health(state.integrator);
+    bool const walls_came_near =
+        setup.walls_move && wall_displacement(state.walls, state.wall_contacts.reference_pose) > setup.step.allowed_move;
+    if (!(health & list_is_stale) && !walls_came_near) return;
+    // A search costs as much as some ten steps: let a list last a hundred, and no longer than pays.
+    std::int64_t const lasted = state.clock.step - state.last_search;
+    if (lasted < 60) state.skin = std::min(state.skin * Real(1.25), setup.most_skin);
+    if (lasted > 600) state.skin = std::max(state.skin * Real(0.8), setup.least_skin);
+    search(setup, state);
+}
+
+void advance_walls(StageSetup& setup, RunState& state)
+{
+    if (setup.walls_move) move_walls(state.walls, setup.step.dt);
+    if (setup.planned->settings.box) steer_box(setup, state);
+    if (setup.carrier >= 0) ride_on_carrier(setup, state);
+    setup.step.strain_rate = state.box.strain_rate;
+}
+
+void drive_servos(StageSetup const& setup, RunState& state)
+{
+    if (setup.walls_move && servo_is_due(state.walls))
+        update_servos(state.walls, measure_walls(state.particles, state.walls, state.wall_contacts), setup.step.dt);
+}
+
+bool remove_departed(StageSetup& setup, RunState& state, RunOutput& output)
+{
+    Departures const departures = find_departures(state.particles, state.box, state.walls, setup.outlet);
+    if (!departures.keep.is_allocated()) return false;
+    for (Grain const& grain : departures.produced) state.tally.produced_mass += output.write_produced(grain, state);
+    state.tally.produced_count += static_cast<std::int64_t>(departures.produced.size());
+    for (Grain const& grain : departures.lost)
+        output.warn("lost_grains", fmt::format("grain {} left the domain at ({:.4g}, {:.4g}, {:.4g}) m in step {}", grain.id,
+                                               grain.position.x, grain.position.y, grain.position.z, state.clock.step));
+    state.tally.lost_count += static_cast<std::int64_t>(departures.lost.size());
+    search(setup, state, departures.keep);
+    return true;
+}
+
+} // namespace arenite

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a stage needs beside the state, and the small steps that the loop is made of.
+#pragma once
+
+#include "apps/run_output.hpp"
+#include "apps/run_state.hpp"
+#include "apps/stage_forces.hpp"
+#include "apps/stage_plan.hpp"
+
+namespace arenite {
+
+struct StageSetup {
+    PlannedStage const* planned = nullptr;
+    StageForces forces;
+    StepSettings step;
+    int carrier = -1;          // wall whose motion strains the sample, or -1
+    int outlet = -1;           // wall, or -1
+    bool walls_move = false;
+    int health_interval = 1;   // steps between two looks at the list's staleness
+    Real least_skin = 0, most_skin = 0; // m
+    std::int64_t searches = 0;
+};
+
+/// Walls act, contacts are searched, bonds form, forces are evaluated: the state is ready for its first step.
+StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState& state);
+
+/// The same for a state that was in the middle of the stage.
+StageSetup resume_stage(Scene const& scene, PlannedStage const& planned, RunState& state);
+
+/// Binds the laws anew with another friction between grains (below 0: the materials' own).
+void set_friction(StageSetup& setup, RunState& state, Real friction);
+
+/// Both contact lists from the positions as they are.
+void search(StageSetup& setup, RunState& state);
+void search(StageSetup& setup, RunState& state, View1<int> const& keep);
+
+/// Searches if a grain or a wall used up its share of the skin. The skin follows how long lists last.
+void search_if_stale(StageSetup& setup, RunState& state);
+
+/// Moves walls and the deforming box on by a step.
+void advance_walls(StageSetup& setup, RunState& state);
+
+/// Lets the servos look at the forces of this step, if it is their turn.
+void drive_servos(StageSetup const& setup, RunState& state);
+
+/// Takes grains that left out of the run and writes them to the ledger. True if there were any.
+bool remove_departed(StageSetup& setup, RunState& state, RunOutput& output);
+
+} // namespace arenite

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "apps/stage_watch.hpp"
+
+#include "apps/sample.hpp"
+#include "apps/stage_loop.hpp"
+#include "core/error.hpp"
+#include "kernels/wall_reactions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arenite {
+namespace {
+
+constexpr int look_interval = 100; // steps between two looks at end conditions that need sums over the grains
+
+std::string name_of_faulty_grain(RunState const& state)
+{
+    auto const position = Kokkos::create_mirror_view_and_copy(HostSpace(), state.particles.position);
+    auto const velocity = Kokkos::create_mirror_view_and_copy(HostSpace(), state.particles.velocity);
+    auto const id = Kokkos::create_mirror_view_and_copy(HostSpace(), state.particles.id);
+    GrainId faulty = -1;
+    Vec3 where;
+    for (int i = 0; i < state.particles.count; ++i) {
+        Vec3 const x = vector_of(position, i), v = vector_of(velocity, i);
+        bool const finite = std::isfinite(dot(x, x)) && std::isfinite(dot(v, v));
+        if (finite || (faulty >= 0 && id(i) > faulty)) continue;
+        faulty = id(i);
+        where = x;
+    }
+    return fmt::format("grain {} at ({:g}, {:g}, {:g}) m", faulty, where.x, where.y, where.z);
+}
+
+} // namespace
+
+StageWatch::StageWatch(Scene const& scene, PlannedStage const& planned, Until const& until)
+    : scene_(scene), stage_(planned.settings), until_(until)
+{
+    // A condition without a duration may take as long as it needs; a duration is a whole number of steps.
+    if (stage_.duration > 0) last_step_ = static_cast<std::int64_t>(std::llround(std::ceil(stage_.duration / planned.dt * (1 - 1e-12))));
+}
+
+Look const& StageWatch::look(StageSetup const& setup, RunState& state)
+{
+    if (look_.step == state.clock.step) return look_;
+    look_.step = state.clock.step;
+    look_.grains = report_grains(state.particles, state.sums);
+    look_.contacts = setup.forces.report();
+    look_.walls = measure_walls(state.particles, state.walls, state.wall_contacts);
+    look_.wall_overlap_ratio = largest_wall_overlap_ratio(state.particles, state.wall_contacts);
+    Real const volume = volume_of(sample_region(state.walls, state.box));
+    look_.porosity.reset();
+    if (state.particles.count > 0 && volume > 0) look_.porosity = 1 - look_.grains.volume / volume;
+    highest_overlap_ratio_ = std::max({highest_overlap_ratio_, look_.contacts.highest_overlap_ratio, look_.wall_overlap_ratio});
+    // The lattice limit scales with the root of the stiffness: how near the stiffest contact comes to it.
+    Real const mass = scene_.materials.empty() ? 0 : scene_.materials.front().density * 3.14159265358979 / 6 * std::pow(setup.planned->limits.smallest_diameter, 3);
+    if (look_.contacts.stiffness > 0 && mass > 0) {
+        Real const tangential = 4 * look_.contacts.stiffness * Real(0.824); // k_t / k_n for nu = 0.3
+        highest_step_ratio_ = std::max(highest_step_ratio_, setup.step.dt / (2 * std::sqrt(3 * mass / (10 * 4 * tangential))));
+    }
+    return look_;
+}
+
+Real StageWatch::stress_on(std::string const& name, Real area, StageSetup const& setup, RunState& state)
+{
+    int const wall = state.walls.find(name);
+    return wall_stress(state.walls, wall, look(setup, state).walls[wall], area, state.box);
+}
+
+bool StageWatch::conditions_hold(StageSetup const& setup, RunState& state)
+{
+    EndSettings const& end = stage_.end;
+    if (end.wall_travel_done)
+        for (WallState const& wall : state.walls.state)
+            if (!wall.program.done) return false;
+    if (!end.position_wall.empty()) {
+        int const wall = state.walls.find(end.position_wall);
+        Real const start = state.walls.state[wall].program.start_position[end.position_axis];
+        Real const now = state.walls.state[wall].position[end.position_axis];
+        if ((now - end.position) * (start - end.position) > 0) return false;
+    }
+    bool const needs_look = end.kinetic_energy || end.kinetic_energy_ratio || end.porosity || !end.stress_wall.empty();
+    if (!needs_look) return true;
+    if (state.clock.stage_step == 0 || state.clock.stage_step % look_interval != 0) return false;
+    Look const& now = look(setup, state);
+    if (end.kinetic_energy && !(now.grains.kinetic_energy() < *end.kinetic_energy)) return false;
+    if (end.kinetic_energy_ratio && !(now.grains.kinetic_energy() < *end.kinetic_energy_ratio * now.contacts.energy())) return false;
+    if (end.porosity && !(now.porosity.value_or(1) <= *end.porosity)) return false;
+    if (!end.stress_wall.empty()) {
+        Real const stress = stress_on(end.stress_wall, end.stress_area, setup, state);
+        if (!(std::fabs(stress - end.stress) <= end.stress_tolerance * end.stress)) return false;
+    }
+    return true;
+}
+
+void StageWatch::tune_friction(StageSetup& setup, RunState& state)
+{
+    if (state.tuned_friction < 0 || state.clock.stage_step % look_interval != 0) return;
+    for (WallAction const& action : stage_.walls) {
+        if (!action.servo) continue;
+        int const wall = state.walls.find(action.wall);
+        Real const target = state.walls.state[wall].servo.target;
+        Look const& now = look(setup, state);
+        Real const pressing = dot(now.walls[wall].force, state.walls.state[wall].servo.axis) * -1;
+        bool const pressed = std::fabs(pressing - target) < Real(0.05) * target;
+        // Slowly enough that the pack follows: a factor of two in some two thousand steps.
+        if (pressed && now.porosity.value_or(0) > stage_.target_porosity) set_friction(setup, state, Real(0.967) * state.tuned_friction);
+    }
+}
+
+std::optional<std::string> StageWatch::has_ended(StageSetup& setup, RunState& state)
+{
+    if (until_.time && state.clock.time() >= *until_.time * (1 - Real(1e-12))) return "stopped";
+    bool const timed_out = last_step_ > 0 && state.clock.stage_step >= last_step_;
+    if (!stage_.end.any()) return timed_out || stage_.duration <= 0 ? std::optional<std::string>("duration") : std::nullopt;
+    if (conditions_hold(setup, state)) return "conditions met";
+    if (timed_out) return "duration, conditions not met";
+    tune_friction(setup, state);
+    return {};
+}
+
+void StageWatch::check_health(StageSetup const&, RunState& state) const
+{
+    if (!(read_health(state.integrator) & force_is_not_finite)) return;
+    throw SimulationError(fmt::format("stage \"{}\", step {}: the force on {} is not finite: the time step is too large or grains "
+                                      "overlap wholly",
+                                      stage_.name, state.clock.step, name_of_faulty_grain(state)));
+}
+
+} // namespace arenite
