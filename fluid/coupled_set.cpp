@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "fluid/coupled_set.hpp"
+
+#include <Kokkos_Sort.hpp>
+
+namespace arenite {
+namespace {
+
+/// Mixes the bits of an id (finaliser of SplitMix64), so that sums of them tell sets apart.
+KOKKOS_FUNCTION std::uint64_t mixed(GrainId id)
+{
+    std::uint64_t bits = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15ULL;
+    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebULL;
+    return bits ^ (bits >> 31);
+}
+
+View1<GrainId> sorted_ids(CoupledSet const& set)
+{
+    View1<GrainId> sorted(uninitialized("sorted_ids"), set.count);
+    Kokkos::deep_copy(sorted, Kokkos::subview(set.id, Kokkos::make_pair(0, set.count)));
+    if (set.count > 1) Kokkos::sort(ExecutionSpace(), sorted);
+    return sorted;
+}
+
+KOKKOS_FUNCTION bool contains(View1<GrainId> const& sorted, GrainId id)
+{
+    std::size_t first = 0, last = sorted.extent(0);
+    while (first < last) {
+        std::size_t const middle = (first + last) / 2;
+        if (sorted(middle) < id)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    return first < sorted.extent(0) && sorted(first) == id;
+}
+
+} // namespace
+
+CoupledSet coupled_set(GrainWeights const& weights, Particles const& particles, CoupledSet const& storage)
+{
+    CoupledSet set = storage;
+    set.count = weights.entries;
+    if (static_cast<int>(set.id.extent(0)) < set.count) {
+        set.id = View1<GrainId>(uninitialized("coupled_id"), set.count);
+        set.position = RecordView(uninitialized("coupled_position"), set.count);
+    }
+    auto const row = weights.bins.item;
+    auto const id = particles.id;
+    auto const position = particles.position;
+    std::uint64_t digest = 0;
+    Kokkos::parallel_reduce(
+        "coupled_set", RangePolicy(0, set.count),
+        KOKKOS_LAMBDA(int entry, std::uint64_t& sum) {
+            set.id(entry) = id(row(entry));
+            for (int c = 0; c < 4; ++c) set.position(entry, c) = position(row(entry), c);
+            sum += mixed(set.id(entry));
+        },
+        digest);
+    set.digest = digest;
+    return set;
+}
+
+CoupledSet difference(CoupledSet const& a, CoupledSet const& b)
+{
+    View1<GrainId> const other = sorted_ids(b);
+    CoupledSet rest;
+    rest.id = View1<GrainId>("difference_id", a.count);
+    rest.position = RecordView("difference_position", a.count);
+    Kokkos::parallel_scan(
+        "difference", RangePolicy(0, a.count),
+        KOKKOS_LAMBDA(int entry, int& offset, bool last) {
+            bool const missing = !contains(other, a.id(entry));
+            if (last && missing) {
+                rest.id(offset) = a.id(entry);
+                for (int c = 0; c < 4; ++c) rest.position(offset, c) = a.position(entry, c);
+            }
+            offset += missing ? 1 : 0;
+        },
+        rest.count);
+    return rest;
+}
+
+} // namespace arenite

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "fluid/deposit.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arenite {
+namespace {
+
+constexpr int grains_per_bin = 8;               // short enough for an insertion sort
+constexpr long long partial_limit = 8'000'000;  // reals (64 MB) of partial sums held at once
+
+/// Integral of 15/16 (1 - s^2)^2 from -1 to s, 0 and 1 beyond the support.
+KOKKOS_FUNCTION Real kernel_integral(Real s)
+{
+    if (s <= -1) return 0;
+    if (s >= 1) return 1;
+    Real const square = s * s;
+    return Real(0.5) + Real(15) / 16 * s * (1 - square * (Real(2) / 3 - square / 5));
+}
+
+/// A coordinate in cells from the box's lower face, brought into a periodic box; -1 outside the box.
+KOKKOS_FUNCTION Real cell_coordinate(Grid const& grid, int axis, Real coordinate)
+{
+    int const cells = grid.cells[axis];
+    Real scaled = (coordinate - grid.lower[axis]) / grid.spacing[axis];
+    if (grid.periodic[axis]) scaled -= cells * Kokkos::floor(scaled / cells);
+    return scaled >= 0 && scaled <= cells ? scaled : Real(-1);
+}
+
+/// First cell that the kernel touches, before it is brought into the box.
+KOKKOS_FUNCTION int first_touched(DepositStencil const& stencil, int axis, Real scaled)
+{
+    return static_cast<int>(Kokkos::floor(scaled - stencil.support_radius / stencil.grid.spacing[axis]));
+}
+
+KOKKOS_FUNCTION int start_cell(DepositStencil const& stencil, int axis, Real scaled)
+{
+    int const first = first_touched(stencil, axis, scaled);
+    if (stencil.starts[axis] == 1) return 0;
+    if (stencil.grid.periodic[axis]) return first < 0 ? first + stencil.grid.cells[axis] : first;
+    return Kokkos::max(0, Kokkos::min(first, stencil.starts[axis] - 1));
+}
+
+/// Where a cell index that lies outside the box belongs: the periodic image, or the mirror image in a wall.
+KOKKOS_FUNCTION int folded(int index, int cells, bool periodic)
+{
+    while (index < 0 || index >= cells) {
+        if (periodic)
+            index += index < 0 ? cells : -cells;
+        else
+            index = index < 0 ? -1 - index : 2 * cells - 1 - index;
+    }
+    return index;
+}
+
+KOKKOS_FUNCTION void write_axis_weights(DepositStencil const& stencil, int axis, Real scaled, Real* weight)
+{
+    int const cells = stencil.grid.cells[axis];
+    bool const periodic = stencil.grid.periodic[axis];
+    Real const cells_per_radius = stencil.grid.spacing[axis] / stencil.support_radius;
+    int const start = start_cell(stencil, axis, scaled);
+    for (int slot = 0; slot < stencil.slots[axis]; ++slot) weight[slot] = 0;
+    int const first = first_touched(stencil, axis, scaled), last = first + stencil.touched[axis] - 1;
+    Real below = 0;
+    for (int index = first; index <= last; ++index) {
+        Real const above = index < last ? kernel_integral((index + 1 - scaled) * cells_per_radius) : Real(1);
+        int slot = folded(index, cells, periodic) - start;
+        if (slot < 0) slot += cells; // the block reaches over the end of a periodic box
+        weight[slot] += Kokkos::max(Real(0), above - below); // rounding may make it -1e-17
+        below = above;
+    }
+}
+
+/// Number of the bin that holds a grain: its block, and in it bins_per_axis^3 bins by the place in a cell.
+View1<int> bin_numbers(DepositStencil const& stencil, RecordView const& position, int count, int bins_per_axis)
+{
+    View1<int> bin(uninitialized("bin_of_grain"), count);
+    Kokkos::parallel_for(
+        "bin_numbers", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
+            int block = 0, inner = 0;
+            bin(row) = -1;
+            for (int axis = 2; axis >= 0; --axis) {
+                Real const scaled = cell_coordinate(stencil.grid, axis, position(row, axis));
+                if (scaled < 0) return;
+                Real const fraction = scaled - Kokkos::floor(scaled);
+                block = block * stencil.starts[axis] + start_cell(stencil, axis, scaled);
+                inner = inner * bins_per_axis + Kokkos::min(static_cast<int>(fraction * bins_per_axis), bins_per_axis - 1);
+            }
+            bin(row) = block * bins_per_axis * bins_per_axis * bins_per_axis + inner;
+        });
+    return bin;
+}
+
+void write_weights(GrainWeights const& weights, RecordView const& position, View1<int> const& bin)
+{
+    Kokkos::parallel_for(
+        "write_weights", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
+            DepositStencil const& stencil = weights.stencil;
+            int const row = weights.bins.item(entry);
+            int const column[3] = {0, stencil.y_slot(), stencil.z_slot()};
+            for (int slot = stencil.slots[0]; slot < stencil.y_slot(); ++slot) weights.weight(entry, slot) = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                Real const scaled = cell_coordinate(stencil.grid, axis, position(row, axis));
+                write_axis_weights(stencil, axis, scaled, &weights.weight(entry, column[axis]));
+            }
+            weights.block(entry) = bin(row) / weights.bins_per_block;
+        });
+}
+
+/// What the grains of one block give to one group of cells of one row: an independent piece of the deposit.
+struct Piece {
+    int start = 0; // along x
+    int group = 0;
+    int b = 0, c = 0;   // slots of y and z
+    int sy = -1, sz = -1; // start cells of y and z, -1: nothing comes from there
+};
+
+/// Pieces are numbered group, start, b, c, target row; rows of the planes from first_plane on.
+KOKKOS_FUNCTION Piece piece_of(DepositStencil const& stencil, int number, int first_plane)
+{
+    Piece piece;
+    piece.group = number % stencil.groups;
+    number /= stencil.groups;
+    piece.start = number % stencil.starts[0];
+    number /= stencil.starts[0];
+    piece.b = number % stencil.slots[1];
+    number /= stencil.slots[1];
+    piece.c = number % stencil.slots[2];
+    int const row = number / stencil.slots[2];
+    piece.sy = stencil.start(1, row % stencil.grid.cells[1], piece.b);
+    piece.sz = stencil.start(2, first_plane + row / stencil.grid.cells[1], piece.c);
+    return piece;
+}
+
+template <int components>
+KOKKOS_FUNCTION void sum_piece(GrainWeights const& weights, Piece const& piece, TableView const& quantity, Real* result)
+{
+    constexpr int group = DepositStencil::group;
+    DepositStencil const& stencil = weights.stencil;
+    Real sum[group * components] = {};
+    if (piece.sy >= 0 && piece.sz >= 0) {
+        int const block = piece.start + stencil.starts[0] * (piece.sy + stencil.starts[1] * piece.sz);
+        int const last = weights.begin(block + 1);
+        for (int entry = weights.begin(block); entry < last; ++entry) {
+            Real const* const w = &weights.weight(entry, 0);
+            Real const wyz = w[stencil.y_slot() + piece.b] * w[stencil.z_slot() + piece.c];
+            for (int a = 0; a < group; ++a)
+                for (int q = 0; q < components; ++q)
+                    sum[a * components + q] += wyz * w[group * piece.group + a] * quantity(entry, q);
+        }
+    }
+    for (int n = 0; n < group * components; ++n) result[n] = sum[n];
+}
+
+/// A cell's sum of its pieces, in the order of (c, b, slot of x).
+template <int components>
+KOKKOS_FUNCTION void add_pieces(DepositStencil const& stencil, View1<Real> const& partial, int row, int i, Real* total)
+{
+    constexpr int group = DepositStencil::group;
+    for (int q = 0; q < components; ++q) total[q] = 0;
+    int const offsets = stencil.slots[1] * stencil.slots[2];
+    for (int offset = 0; offset < offsets; ++offset)
+        for (int slot = 0; slot < stencil.slots[0]; ++slot) {
+            int const start = stencil.start(0, i, slot);
+            if (start < 0) continue;
+            std::size_t const piece =
+                ((static_cast<std::size_t>(row) * offsets + offset) * stencil.starts[0] + start) * stencil.groups + slot / group;
+            Real const* const values = &partial(piece * group * components) + slot % group * components;
+            for (int q = 0; q < components; ++q) total[q] += values[q];
+        }
+}
+
+/// Two passes over some planes of cells: the pieces, then the cells.
+template <int components>
+void deposit_planes(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int first_plane,
+                    int planes, View1<Real> const& partial)
+{
+    DepositStencil const stencil = weights.stencil;
+    int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
+    int const pieces = ny * planes * stencil.slots[1] * stencil.slots[2] * stencil.starts[0] * stencil.groups;
+    Kokkos::parallel_for(
+        "deposit_pieces", RangePolicy(0, pieces), KOKKOS_LAMBDA(int number) {
+            sum_piece<components>(weights, piece_of(stencil, number, first_plane), quantity,
+                                  &partial(static_cast<std::size_t>(number) * DepositStencil::group * components));
+        });
+    Kokkos::parallel_for(
+        "add_deposit_pieces", RangePolicy(0, ny * planes * nx), KOKKOS_LAMBDA(int target) {
+            Real total[components];
+            add_pieces<components>(stencil, partial, target / nx, target % nx, total);
+            int const number = nx * ny * first_plane + target;
+            for (int q = 0; q < components; ++q) cell(number, q) = total[q];
+        });
+}
+
+template <int components> void deposit_all(GrainWeights const& weights, TableView const& quantity, TableView const& cell)
+{
+    DepositStencil const& stencil = weights.stencil;
+    long long const plane = 1LL * stencil.grid.cells[1] * stencil.slots[1] * stencil.slots[2] * stencil.starts[0] *
+                            stencil.groups * DepositStencil::group * components;
+    int const all = stencil.grid.cells[2];
+    int const planes = static_cast<int>(std::clamp<long long>(partial_limit / plane, 1, all));
+    View1<Real> const partial(uninitialized("deposit_partial"), plane * planes);
+    for (int first = 0; first < all; first += planes)
+        deposit_planes<components>(weights, quantity, cell, first, std::min(planes, all - first), partial);
+}
+
+} // namespace
+
+DepositStencil make_deposit_stencil(Grid const& grid, Real support_radius)
+{
+    DepositStencil stencil;
+    stencil.grid = grid;
+    Real const widest = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+    stencil.support_radius = support_radius > 0 ? support_radius : Real(1.5) * widest;
+    for (int axis = 0; axis < 3; ++axis) {
+        int const cells = grid.cells[axis];
+        constexpr Real slack = 1e-9; // a whole number of cells is meant as such
+        Real const width = 2 * stencil.support_radius / grid.spacing[axis];
+        if (!(width < 1000)) throw InputError("fluid.smoothing_length is more than 500 cells");
+        stencil.touched[axis] = static_cast<int>(std::ceil(width - slack)) + 1;
+        stencil.slots[axis] = std::min(stencil.touched[axis], cells);
+        bool const whole = stencil.slots[axis] == cells;
+        stencil.starts[axis] = whole ? 1 : (grid.periodic[axis] ? cells : cells - stencil.slots[axis] + 1);
+    }
+    stencil.groups = (stencil.slots[0] + DepositStencil::group - 1) / DepositStencil::group;
+    return stencil;
+}
+
+GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const& position, View1<GrainId> const& id, int count)
+{
+    GrainWeights weights;
+    weights.stencil = stencil;
+    double const bins_per_block = static_cast<double>(count) / grains_per_bin / stencil.block_count();
+    int const bins_per_axis = std::max(1, static_cast<int>(std::cbrt(bins_per_block)));
+    weights.bins_per_block = bins_per_axis * bins_per_axis * bins_per_axis;
+    View1<int> const bin = bin_numbers(stencil, position, count, bins_per_axis);
+    weights.bins = make_cell_list(bin, id, count, stencil.block_count() * weights.bins_per_block);
+    weights.entries = weights.bins.entries;
+    weights.block = View1<int>(uninitialized("block_of_entry"), weights.entries);
+    weights.weight = TableView(uninitialized("grain_weights"), weights.entries, stencil.columns());
+    write_weights(weights, position, bin);
+    return weights;
+}
+
+void deposit(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int components)
+{
+    ARENITE_REQUIRE(components == 1 || components == 4, "deposit is built for 1 and 4 components");
+    if (components == 1)
+        deposit_all<1>(weights, quantity, cell);
+    else
+        deposit_all<4>(weights, quantity, cell);
+}
+
+} // namespace arenite

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "fluid/exchange.hpp"
+
+#include "core/error.hpp"
+#include "fluid/flow_balance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace arenite {
+namespace {
+
+KOKKOS_FUNCTION Real sphere_volume(Real radius) { return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius; }
+
+/// Work arrays grow with the number of grains and are kept when it falls.
+void fit(TableView& table, char const* label, int rows, int columns)
+{
+    if (static_cast<int>(table.extent(0)) >= rows) return;
+    table = TableView(uninitialized(label), rows, columns);
+}
+
+void evaluate_volume(RecordView const& position, View1<int> const& row, int entries, TableView const& volume)
+{
+    Kokkos::parallel_for(
+        "evaluate_volume", RangePolicy(0, entries),
+        KOKKOS_LAMBDA(int entry) { volume(entry, 0) = sphere_volume(position(row(entry), 3)); });
+}
+
+/// Number of cells that were too full and the lowest porosity before the limit.
+void write_porosity(Flow const& flow, Exchange const& exchange, ExchangeReport& report)
+{
+    Grid const grid = flow.grid;
+    auto const porosity = flow.porosity;
+    auto const solid = exchange.cell_sum;
+    Real const minimum = exchange.minimum_porosity, volume = grid.cell_volume();
+    Kokkos::parallel_reduce(
+        "write_porosity", RangePolicy(0, grid.cell_count()),
+        KOKKOS_LAMBDA(int number, int& limited, Real& lowest) {
+            Real const n = 1 - solid(number, 0) / volume;
+            lowest = Kokkos::min(lowest, n);
+            if (n < minimum) ++limited;
+            at(porosity, cell_of_number(grid, number)) = Kokkos::max(n, minimum);
+        },
+        report.limited_cells, Kokkos::Min<Real>(report.lowest_porosity));
+}
+
+/// Summed on the host in cell order, so that it does not depend on threads; it is not on the usual path.
+Real limited_volume(Exchange const& exchange)
+{
+    auto const solid = Kokkos::create_mirror_view_and_copy(HostSpace(), exchange.cell_sum);
+    Real const volume = exchange.stencil.grid.cell_volume();
+    Real sum = 0;
+    for (int number = 0; number < exchange.stencil.grid.cell_count(); ++number)
+        sum += std::max(Real(0), solid(number, 0) - (1 - exchange.minimum_porosity) * volume);
+    return sum;
+}
+
+/// porosity_previous += sign * volume of these grains where they are in the set.
+void add_to_previous(Flow const& flow, Exchange const& exchange, CoupledSet const& grains, Real sign)
+{
+    if (grains.count == 0) return;
+    GrainWeights const weights = make_grain_weights(exchange.stencil, grains.position, grains.id, grains.count);
+    TableView const volume("crossing_volume", weights.entries, 1);
+    evaluate_volume(grains.position, weights.bins.item, weights.entries, volume);
+    deposit(weights, volume, exchange.cell_sum, 1);
+    Grid const grid = flow.grid;
+    auto const previous = flow.porosity_previous;
+    auto const solid = exchange.cell_sum;
+    Real const scale = sign / grid.cell_volume();
+    Kokkos::parallel_for(
+        "add_to_previous", RangePolicy(0, grid.cell_count()), KOKKOS_LAMBDA(int number) {
+            Real& n = at(previous, cell_of_number(grid, number));
+            n = Kokkos::min(n + scale * solid(number, 0), Real(1));
+        });
+}
+
+/// [cell](u, v, w, n): what the drag is evaluated with.
+void gather_flow(Flow const& flow, TableView const& value)
+{
+    for_each_cell("gather_flow", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
+        int const number = cell_number(flow.grid, cell);
+        Vec3 const velocity = velocity_at_cell(flow, cell);
+        for (int axis = 0; axis < 3; ++axis) value(number, axis) = velocity[axis];
+        value(number, 3) = at(flow.porosity, cell);
+    });
+}
+
+template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange, Particles const& particles)
+{
+    GrainWeights const weights = exchange.weights;
+    auto const value = exchange.cell_value, drag = exchange.drag;
+    auto const position = particles.position, velocity = particles.velocity;
+    Real const factor = exchange.coarse_grain_factor;
+    Kokkos::parallel_for(
+        "evaluate_drag", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
+            int const row = weights.bins.item(entry);
+            Real fluid[4];
+            interpolate_at(weights, entry, value, fluid);
+            Vec3 const v = vector_of(velocity, row);
+            Real const slip_speed = norm(Vec3{fluid[0], fluid[1], fluid[2]} - v);
+            Real const beta = grain_drag_coefficient(law, {2 * position(row, 3), fluid[3], slip_speed}, factor);
+            for (int axis = 0; axis < 3; ++axis) drag(entry, axis) = beta * v[axis];
+            drag(entry, 3) = beta;
+        });
+}
+
+void write_drag(Flow const& flow, TableView const& cell_sum)
+{
+    Real const per_volume = 1 / flow.grid.cell_volume();
+    for_each_cell("write_drag", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
+        int const number = cell_number(flow.grid, cell);
+        for (int axis = 0; axis < 3; ++axis) at(flow.drag_velocity[axis], cell) = cell_sum(number, axis) * per_volume;
+        at(flow.drag, cell) = cell_sum(number, 3) * per_volume;
+    });
+}
+
+/// [cell](u, v, w, -grad p + div tau): what a grain's force is made of.
+void gather_step(Flow const& flow, FlowSolver const& solver, TableView const& value)
+{
+    FaceField const face_force = solver.face_force;
+    for_each_cell("gather_step", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
+        int const number = cell_number(flow.grid, cell);
+        Vec3 const velocity = velocity_at_cell(flow, cell), force = stress_force_at_cell(flow.grid, face_force, cell);
+        for (int axis = 0; axis < 3; ++axis) value(number, axis) = velocity[axis], value(number, 3 + axis) = force[axis];
+    });
+}
+
+void write_fluid_force(Exchange const& exchange, RecordView const& fluid_force)
+{
+    GrainWeights const weights = exchange.weights;
+    auto const value = exchange.cell_value, drag = exchange.drag, volume = exchange.volume;
+    Kokkos::deep_copy(ExecutionSpace(), fluid_force, Real(0)); // grains outside the box
+    Kokkos::parallel_for(
+        "write_fluid_force", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
+            int const row = weights.bins.item(entry);
+            Real fluid[6];
+            interpolate_at(weights, entry, value, fluid);
+            Real const beta = drag(entry, 3);
+            for (int axis = 0; axis < 3; ++axis)
+                fluid_force(row, axis) = beta * fluid[axis] - drag(entry, axis) + volume(entry, 0) * fluid[3 + axis];
+            fluid_force(row, 3) = beta;
+        });
+}
+
+/// Largest grain diameter, m.
+Real largest_diameter(GrainWeights const& weights, RecordView const& position)
+{
+    Real largest = 0;
+    Kokkos::parallel_reduce(
+        "largest_diameter", RangePolicy(0, weights.entries),
+        KOKKOS_LAMBDA(int entry, Real& most) { most = Kokkos::max(most, 2 * position(weights.bins.item(entry), 3)); },
+        Kokkos::Max<Real>(largest));
+    return std::max(largest, Real(0)); // the reduction of nothing is -inf
+}
+
+} // namespace
+
+Exchange make_exchange(Flow const& flow, Particles& particles, FluidSettings const& settings, Real coarse_grain_factor)
+{
+    ARENITE_REQUIRE(coarse_grain_factor > 0, "the coarse grain factor is a ratio of diameters");
+    Exchange exchange;
+    exchange.drag_law = make_drag_law(settings);
+    exchange.stencil = make_deposit_stencil(flow.grid, settings.smoothing_length);
+    exchange.coarse_grain_factor = coarse_grain_factor;
+    exchange.minimum_porosity = settings.minimum_porosity;
+    int const cells = flow.grid.cell_count();
+    fit(exchange.cell_sum, "exchange_cell_sum", cells, 4);
+    fit(exchange.cell_value, "exchange_cell_value", cells, 6);
+    ARENITE_REQUIRE(flow.has_drag(), "the flow was made without grains");
+    if (!particles.fluid_force.is_allocated())
+        particles.fluid_force = RecordView("fluid_force", particles.position.extent(0));
+    return exchange;
+}
+
+void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles)
+{
+    ExchangeReport report;
+    exchange.weights = make_grain_weights(exchange.stencil, particles.position, particles.id, particles.count);
+    GrainWeights const& weights = exchange.weights;
+    report.coupled = weights.entries;
+    fit(exchange.volume, "grain_volume", weights.entries, 1);
+    fit(exchange.drag, "grain_drag", weights.entries, 4);
+
+    CoupledSet const now = coupled_set(weights, particles, exchange.spare), before = exchange.coupled;
+    bool const first = before.count < 0;
+    Kokkos::deep_copy(flow.porosity_previous, flow.porosity);
+    if (!first && (now.digest != before.digest || now.count != before.count)) {
+        CoupledSet const entered = difference(now, before), left = difference(before, now);
+        report.entered = entered.count;
+        report.left = left.count;
+        add_to_previous(flow, exchange, left, 1);
+        add_to_previous(flow, exchange, entered, -1);
+    }
+    exchange.spare = before;
+    exchange.coupled = now;
+
+    evaluate_volume(particles.position, weights.bins.item, weights.entries, exchange.volume);
+    deposit(weights, exchange.volume, exchange.cell_sum, 1);
+    write_porosity(flow, exchange, report);
+    if (report.limited_cells > 0) report.limited_volume = limited_volume(exchange);
+    if (first) Kokkos::deep_copy(flow.porosity_previous, flow.porosity);
+    exchange.report = report;
+}
+
+void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles)
+{
+    gather_flow(flow, exchange.cell_value);
+    std::visit([&](auto const& law) { evaluate_drag(law, exchange, particles); }, exchange.drag_law);
+    deposit(exchange.weights, exchange.drag, exchange.cell_sum, 4);
+    write_drag(flow, exchange.cell_sum);
+}
+
+void evaluate_fluid_force(Flow const& flow, FlowSolver const& solver, Exchange const& exchange, Particles& particles)
+{
+    if (particles.fluid_force.extent(0) != particles.position.extent(0))
+        particles.fluid_force = RecordView("fluid_force", particles.position.extent(0));
+    gather_step(flow, solver, exchange.cell_value);
+    write_fluid_force(exchange, particles.fluid_force);
+}
+
+Real drag_stiffness(Exchange const& exchange, Particles const& particles, Real fluid_dt)
+{
+    auto const row = exchange.weights.bins.item;
+    auto const drag = exchange.drag;
+    auto const velocity = particles.velocity;
+    auto const motion = particles.motion;
+    Real stiffness = 0;
+    Kokkos::parallel_reduce(
+        "drag_stiffness", RangePolicy(0, exchange.weights.entries),
+        KOKKOS_LAMBDA(int entry, Real& most) {
+            if (motion(row(entry)) == Motion::free)
+                most = Kokkos::max(most, fluid_dt * drag(entry, 3) / velocity(row(entry), 3));
+        },
+        Kokkos::Max<Real>(stiffness));
+    return std::max(stiffness, Real(0));
+}
+
+std::vector<std::string> check_exchange(Exchange const& exchange, Particles const& particles, Real fluid_dt)
+{
+    std::vector<std::string> remarks;
+    Grid const& grid = exchange.stencil.grid;
+    Real const diameter = largest_diameter(exchange.weights, particles.position);
+    Real const radius = exchange.stencil.support_radius;
+    if (radius < diameter)
+        remarks.push_back(fmt::format("fluid.smoothing_length {:.3g} m is less than the largest grain's diameter, {:.3g} m: "
+                                      "a cell inside a grain may fall below the least porosity", radius, diameter));
+    Real const edge = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z, radius});
+    if (edge < 3 * diameter)
+        remarks.push_back(fmt::format("cells and smoothing length of {:.3g} m average over {:.2f} diameters of the largest "
+                                      "grain; the averaged equations want 3", edge, edge / diameter));
+    Real const stiffness = drag_stiffness(exchange, particles, fluid_dt);
+    if (stiffness > Real(0.5))
+        remarks.push_back(fmt::format("the fluid step of {:.3g} s is {:.2f} relaxation times m/beta of a grain: a force held "
+                                      "that long is inaccurate, and unstable from 2", fluid_dt, stiffness));
+    ExchangeReport const& report = exchange.report;
+    if (report.limited_cells > 0)
+        remarks.push_back(fmt::format("{} cells are below the least porosity {}: {:.3g} m3 of grains are hidden from the fluid "
+                                      "(lowest {:.3f})", report.limited_cells, exchange.minimum_porosity, report.limited_volume,
+                                      report.lowest_porosity));
+    return remarks;
+}
+
+} // namespace arenite
