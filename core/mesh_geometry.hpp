@@ -143,8 +143,9 @@ KOKKOS_FUNCTION void visit_near_triangles(MeshViews const& mesh, MeshGrid const&
                     int const triangle = mesh.cell_triangle(n);
                     MeshTriangle const& t = mesh.triangle(triangle);
                     // A triangle lies in many cells; the first that it shares with the query reports it.
-                    auto const first = [&](int axis) { return t.cell_low[axis] > low[axis] ? t.cell_low[axis] : low[axis]; };
-                    if (cx != first(0) || cy != first(1) || cz != first(2)) continue;
+                    if (cx != Kokkos::max(t.cell_low[0], low[0]) || cy != Kokkos::max(t.cell_low[1], low[1]) ||
+                        cz != Kokkos::max(t.cell_low[2], low[2]))
+                        continue;
                     Vec3 const offset = x - wall_geometry::nearest_on_triangle(t.corner, x);
                     if (dot(offset, offset) < reach * reach) visit(triangle);
                 }

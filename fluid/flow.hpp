@@ -30,7 +30,7 @@ struct Flow {
     FieldView drag;              // [cell] B, N s/m4
     FieldView drag_velocity[3];  // [cell] b, N/m3
 
-    bool has_drag() const { return drag.is_allocated(); }
+    KOKKOS_FUNCTION bool has_drag() const { return drag.is_allocated(); }
 };
 
 /// What one fluid step reports; the driver writes it to history.csv and stops on trouble.

@@ -21,8 +21,10 @@ Fields wall_fields(WallSettings& w)
     auto const has_inside = [&w] { return w.shape == WallShape::cylinder || w.shape == WallShape::box; };
     std::string const plane = "type = \"plane\"", cylinder = "type = \"cylinder\"", box = "type = \"box\"",
                       mesh = "type = \"mesh\"";
-    auto const of_plane = is(WallShape::plane), of_cylinder = is(WallShape::cylinder), of_box = is(WallShape::box),
-               of_mesh = is(WallShape::mesh);
+    auto const of_plane = is(WallShape::plane); // one a line: nvcc cannot declare several of a lambda's type at once
+    auto const of_cylinder = is(WallShape::cylinder);
+    auto const of_box = is(WallShape::box);
+    auto const of_mesh = is(WallShape::mesh);
     return {
         required({"name", &w.name, "", "of your choice"}),
         required({"type", choice(w.shape, {"plane", "cylinder", "box", "mesh"}), "", "shape of the wall"}),
