@@ -23,8 +23,9 @@ kokkos_package_version=1.7.6
 kokkos_package_sha256=c766ec4d445ce076069be4b8c51a23ffac4ee79ea949ca86446bfd8c299b154c
 
 fetch_kokkos() {
-    local stamp=$deps/kokkos-$kokkos_package_sha256
-    [ -e "$stamp" ] && return
+    local stamp=$deps/fetched-kokkos
+    [ "$(cat "$stamp" 2>/dev/null)" = "$kokkos_package_sha256" ] && return
+    rm -f "$stamp"
     mkdir -p "$deps"
     work=$(mktemp -d "$deps/fetch.XXXXXX")
 
@@ -52,14 +53,14 @@ fetch_kokkos() {
         --exclude='unit_test*' --exclude='perf_test' --exclude='*/docs' --exclude='*/doc' \
         "$kokkos_package-$kokkos_package_version/kokkos" "$kokkos_package-$kokkos_package_version/kokkos-kernels"
     rm -rf "$deps/kokkos" "$deps/kokkos-kernels"
-    mv "$work/$kokkos_package-$kokkos_package_version/kokkos" "$work/$kokkos_package-$kokkos_package_version/kokkos-kernels" "$deps/"
-    touch "$stamp"
+    mv "$work/$kokkos_package-$kokkos_package_version"/kokkos{,-kernels} "$deps/"
+    echo "$kokkos_package_sha256" >"$stamp"
     rm -rf "$work"
 }
 
 # Debian's packages of the small libraries: apt checks their signed sums itself.
 fetch_small_libraries() {
-    [ -e "$deps/small-libraries" ] && return
+    [ -e "$deps/fetched-small-libraries" ] && return
     for tool in apt-get dpkg-deb; do
         command -v "$tool" >/dev/null ||
             fail "--all takes the small libraries from Debian packages and needs $tool: run it on a Debian or Ubuntu
@@ -87,7 +88,7 @@ fetch_small_libraries() {
     cp -r "$work/root/usr/include/gtest" "$deps/googletest/include/"
     cp -r "$work/root/usr/src/googletest/googletest/src" "$deps/googletest/"
     mv "$work/benchmark/usr" "$deps/benchmark" # compiled: for the architecture of the machine that fetched it
-    (cd "$work" && ls -- *.deb) >"$deps/small-libraries"
+    (cd "$work" && ls -- *.deb) >"$deps/fetched-small-libraries"
     rm -rf "$work"
 }
 

@@ -29,8 +29,9 @@ step() {
 installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
 
 # A Kokkos of the user's own is named in one of these; otherwise it is built here.
-needs_kokkos_sources() {
-    [ -z "${Kokkos_ROOT:-}${CMAKE_PREFIX_PATH:-}" ] && [ ! -e "$arenite_root/deps/kokkos/CMakeLists.txt" ]
+builds_kokkos() { [ -z "${Kokkos_ROOT:-}${CMAKE_PREFIX_PATH:-}" ]; }
+needs_pip() {
+    builds_kokkos && [ ! -e "$arenite_root/deps/fetched-kokkos" ] && ! python3 -m pip --version >/dev/null 2>&1
 }
 
 install_debian_packages() {
@@ -38,9 +39,7 @@ install_debian_packages() {
     for package in "${arenite_packages[@]}"; do
         installed "$package" || missing+=("$package")
     done
-    if needs_kokkos_sources && ! python3 -m pip --version >/dev/null 2>&1; then
-        missing+=(python3-pip)
-    fi
+    if needs_pip; then missing+=(python3-pip); fi
     [ ${#missing[@]} -gt 0 ] || return 0
 
     local as_root=()
@@ -64,9 +63,7 @@ check_tools() {
     for tool in g++ cmake ninja; do
         command -v "$tool" >/dev/null || [ "$tool" = g++ -a -n "${CXX:-}" ] || missing+=("$tool")
     done
-    if needs_kokkos_sources; then
-        python3 -m pip --version >/dev/null 2>&1 || missing+=("python3 with pip (or Kokkos_ROOT=<prefix of an installed Kokkos 4.5>)")
-    fi
+    if needs_pip; then missing+=("python3 with pip (or Kokkos_ROOT=<prefix of an installed Kokkos 4.5>)"); fi
     [ ${#missing[@]} -eq 0 ] || fail "this system has no apt-get, so please install yourself: $(printf '%s, ' "${missing[@]}" | sed 's/, $//')
 Libraries: fmt, toml++, CLI11, nlohmann-json and GoogleTest; for the full set Open MPI, parallel HDF5 and VTK 9.1.
 What is not in a standard place is named by: export CMAKE_PREFIX_PATH=<prefix>:<prefix>   (Kokkos: Kokkos_ROOT)"
@@ -80,7 +77,7 @@ arenite_set_up() {
     else
         check_tools
     fi
-    if needs_kokkos_sources; then
+    if builds_kokkos; then
         step "With a Kokkos 4.5 or newer of your own, set Kokkos_ROOT to its prefix and run this again." cmake/fetch_deps.sh
     fi
     if [ ! -e "$arenite_build/build.ninja" ]; then
