@@ -3,8 +3,11 @@
 #pragma once
 
 #include "apps/stage_setup.hpp"
+#include "core/wall_motion.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace arenite {
 
