@@ -35,7 +35,7 @@ void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
         deposit_drag(fluid.flow, fluid.exchange, particles);
     }
     fluid.report = advance_flow(fluid.flow, fluid.boundary, fluid.solver, fluid_dt);
-    if (particles.count > 0) evaluate_fluid_force(fluid.flow, fluid.exchange, particles);
+    if (particles.count > 0) evaluate_fluid_force(fluid.flow, fluid.solver, fluid.exchange, particles);
 }
 
 /// From one moment at which somebody looks to the next.
