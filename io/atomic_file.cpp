@@ -109,7 +109,8 @@ void make_folder(fs::path const& folder)
     if (error) throw OutputError(fmt::format("{}: cannot create the folder: {}", folder.string(), error.message()));
 }
 
-AppendedFile::AppendedFile(fs::path path) : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC))
+AppendedFile::AppendedFile(fs::path path)
+    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC))
 {
     if (descriptor_ < 0) fail(path_, "cannot open", errno);
 }

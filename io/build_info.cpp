@@ -22,7 +22,8 @@ std::vector<std::string> left_out_messages()
 {
     std::vector<std::string> messages;
     for (OptionalPart const& part : optional_parts())
-        if (!part.present) messages.push_back(fmt::format("built without {0}: {1} (ARENITE_ENABLE_{0})", part.name, part.without));
+        if (!part.present)
+            messages.push_back(fmt::format("built without {0}: {1} (ARENITE_ENABLE_{0})", part.name, part.without));
     return messages;
 }
 
@@ -42,10 +43,12 @@ std::string describe_build()
 {
     BuildInfo const build = build_info();
     Hardware const machine = hardware();
-    std::string text = fmt::format("Arenite {} ({}), {}, {}\n", build.version, build.commit, build.compiler, build.build_type);
-    text += fmt::format("Kokkos {}, Kokkos Kernels {}, backend {} with {} threads at once\n", build.kokkos, build.kokkos_kernels,
-                        machine.backend, machine.concurrency);
-    text += fmt::format("CPU: {}, {} logical cores, {:.1f} GiB\n", machine.cpu, machine.cores, machine.memory / (1 << 30));
+    std::string text =
+        fmt::format("Arenite {} ({}), {}, {}\n", build.version, build.commit, build.compiler, build.build_type);
+    text += fmt::format("Kokkos {}, Kokkos Kernels {}, backend {} with {} threads at once\n", build.kokkos,
+                        build.kokkos_kernels, machine.backend, machine.concurrency);
+    text +=
+        fmt::format("CPU: {}, {} logical cores, {:.1f} GiB\n", machine.cpu, machine.cores, machine.memory / (1 << 30));
     text += fmt::format("GPU: {}\n", machine.gpu.empty() ? "not used" : machine.gpu);
     for (OptionalPart const& part : optional_parts())
         text += fmt::format("{}: {}\n", part.name, part.present ? part.version : "left out (" + part.without + ")");

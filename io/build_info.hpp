@@ -11,8 +11,8 @@ namespace arenite {
 struct OptionalPart {
     std::string name;
     bool present = false;
-    std::string version;  // empty where it is left out
-    std::string without;  // what the program does without it
+    std::string version; // empty where it is left out
+    std::string without; // what the program does without it
 };
 
 /// MPI, HDF5 and VTK.
@@ -22,8 +22,8 @@ std::vector<OptionalPart> optional_parts();
 std::vector<std::string> left_out_messages();
 
 struct BuildInfo {
-    std::string version;    // of Arenite
-    std::string commit;     // of git, "-modified" where the tree was not clean at configuration; "unknown" without git
+    std::string version; // of Arenite
+    std::string commit;  // of git, "-modified" where the tree was not clean at configuration; "unknown" without git
     std::string compiler;
     std::string build_type;
     std::string kokkos, kokkos_kernels;
@@ -31,13 +31,13 @@ struct BuildInfo {
 BuildInfo build_info();
 
 struct Hardware {
-    std::string cpu;        // model
-    int cores = 0;          // logical ones that this process may use
-    double memory = 0;      // bytes, of the machine
-    std::string backend;    // Kokkos execution space: OpenMP, Cuda, ...
-    int concurrency = 0;    // threads of that space that run at once
-    std::string gpu;        // model; empty on the host
-    std::string host;       // name
+    std::string cpu;     // model
+    int cores = 0;       // logical ones that this process may use
+    double memory = 0;   // bytes, of the machine
+    std::string backend; // Kokkos execution space: OpenMP, Cuda, ...
+    int concurrency = 0; // threads of that space that run at once
+    std::string gpu;     // model; empty on the host
+    std::string host;    // name
 };
 /// Kokkos must be running.
 Hardware hardware();

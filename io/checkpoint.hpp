@@ -24,16 +24,16 @@ bool can_write_checkpoints();
 /// What a checkpoint belongs to; readable without reading the state.
 struct CheckpointStamp {
     std::int64_t step = 0;
-    Real time = 0;             // s
+    Real time = 0; // s
     std::string stage;
-    bool stage_end = false;    // the last state of its stage; kept for good
+    bool stage_end = false; // the last state of its stage; kept for good
     std::uint64_t scene_hash = 0;
 };
 
 class CheckpointWriter {
 public:
     CheckpointWriter(std::filesystem::path path, CheckpointStamp const& stamp); // throws OutputError
-    ~CheckpointWriter(); // without commit() nothing is left
+    ~CheckpointWriter();                                                        // without commit() nothing is left
     CheckpointWriter(CheckpointWriter const&) = delete;
     CheckpointWriter& operator=(CheckpointWriter const&) = delete;
 
@@ -42,7 +42,8 @@ public:
     /// ... or a vector.
     template <class T> void array(std::string const& name, std::vector<T> const& values)
     {
-        write(name, ElementOf<T>::kind, {values.size()}, values.data());
+        std::vector<std::size_t> const shape{values.size()}; // named: nvcc takes a braced argument here for the vector
+        write(name, ElementOf<T>::kind, shape, values.data());
     }
     /// One number.
     template <class T> void value(std::string const& name, T number) { write(name, ElementOf<T>::kind, {1}, &number); }

@@ -42,7 +42,10 @@ void remove_quietly(fs::path const& path)
 
 } // namespace
 
-fs::path checkpoint_path(fs::path const& folder, std::int64_t step) { return folder / fmt::format("checkpoint-{:09}.h5", step); }
+fs::path checkpoint_path(fs::path const& folder, std::int64_t step)
+{
+    return folder / fmt::format("checkpoint-{:09}.h5", step);
+}
 
 std::vector<fs::path> list_checkpoints(fs::path const& folder)
 {
@@ -50,7 +53,8 @@ std::vector<fs::path> list_checkpoints(fs::path const& folder)
     std::error_code error;
     for (auto const& entry : fs::directory_iterator(folder, error))
         if (step_in_name(entry.path())) paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end(), [](auto const& a, auto const& b) { return *step_in_name(a) < *step_in_name(b); });
+    std::sort(paths.begin(), paths.end(),
+              [](auto const& a, auto const& b) { return *step_in_name(a) < *step_in_name(b); });
     return paths;
 }
 

@@ -33,17 +33,28 @@ std::string cause()
 hid_t type_of(Element kind)
 {
     switch (kind) {
-    case Element::real64: return H5T_IEEE_F64LE;
-    case Element::real32: return H5T_IEEE_F32LE;
-    case Element::int8: return H5T_STD_I8LE;
-    case Element::int16: return H5T_STD_I16LE;
-    case Element::int32: return H5T_STD_I32LE;
-    case Element::int64: return H5T_STD_I64LE;
-    case Element::uint8: return H5T_STD_U8LE;
-    case Element::uint16: return H5T_STD_U16LE;
-    case Element::uint32: return H5T_STD_U32LE;
-    case Element::uint64: return H5T_STD_U64LE;
-    case Element::text: return H5T_STD_B8LE; // bytes: text may hold anything, and be empty
+    case Element::real64:
+        return H5T_IEEE_F64LE;
+    case Element::real32:
+        return H5T_IEEE_F32LE;
+    case Element::int8:
+        return H5T_STD_I8LE;
+    case Element::int16:
+        return H5T_STD_I16LE;
+    case Element::int32:
+        return H5T_STD_I32LE;
+    case Element::int64:
+        return H5T_STD_I64LE;
+    case Element::uint8:
+        return H5T_STD_U8LE;
+    case Element::uint16:
+        return H5T_STD_U16LE;
+    case Element::uint32:
+        return H5T_STD_U32LE;
+    case Element::uint64:
+        return H5T_STD_U64LE;
+    case Element::text:
+        return H5T_STD_B8LE; // bytes: text may hold anything, and be empty
     }
     return -1;
 }

@@ -19,7 +19,10 @@ struct CheckpointReader::File {
     Handle handle;
     CheckpointStamp stamp;
 
-    [[noreturn]] void fail(std::string const& what) const { throw InputError(fmt::format("{}: {}", path.string(), what)); }
+    [[noreturn]] void fail(std::string const& what) const
+    {
+        throw InputError(fmt::format("{}: {}", path.string(), what));
+    }
 
     void open();
     void read_stamp();
@@ -50,7 +53,8 @@ void CheckpointReader::File::open()
     handle = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (handle.valid()) return;
     std::string const cause = hdf5::cause();
-    if (cause.find("truncated") != std::string::npos) fail(fmt::format("the checkpoint is truncated ({}){}", cause, what_now));
+    if (cause.find("truncated") != std::string::npos)
+        fail(fmt::format("the checkpoint is truncated ({}){}", cause, what_now));
     if (H5Fis_hdf5(path.c_str()) <= 0) fail("is not an Arenite checkpoint (not an HDF5 file)");
     fail(fmt::format("the checkpoint is damaged ({}){}", cause, what_now));
 }
@@ -78,12 +82,14 @@ void CheckpointReader::File::read_stamp()
 {
     Handle const root(H5Gopen2(handle.get(), "/", H5P_DEFAULT), H5Gclose);
     if (!root.valid()) fail(fmt::format("the checkpoint is damaged ({}){}", hdf5::cause(), what_now));
-    if (attribute_text(root.get(), "format") != hdf5::format_name) fail("is not an Arenite checkpoint (an HDF5 file of another program)");
+    if (attribute_text(root.get(), "format") != hdf5::format_name)
+        fail("is not an Arenite checkpoint (an HDF5 file of another program)");
     std::int64_t version = 0;
     attribute(root.get(), "format_version", Element::int64, &version);
     if (version != hdf5::format_version)
-        fail(fmt::format("has checkpoint format {}, this program reads format {}: use the version of Arenite that wrote it ({})", version,
-                         hdf5::format_version, attribute_text(root.get(), "arenite_version")));
+        fail(fmt::format(
+            "has checkpoint format {}, this program reads format {}: use the version of Arenite that wrote it ({})",
+            version, hdf5::format_version, attribute_text(root.get(), "arenite_version")));
     std::uint8_t stage_end = 0;
     attribute(root.get(), "step", Element::int64, &stamp.step);
     attribute(root.get(), "time", Element::real64, &stamp.time);
@@ -133,9 +139,10 @@ CheckpointStamp const& CheckpointReader::stamp() const { return file_->stamp; }
 void CheckpointReader::require_scene(std::uint64_t hash) const
 {
     if (hash == file_->stamp.scene_hash) return;
-    file_->fail(fmt::format("was written for another scene (its hash is {:016x}, this scene's is {:016x}); resume with the scene "
-                            "that wrote it",
-                            file_->stamp.scene_hash, hash));
+    file_->fail(fmt::format(
+        "was written for another scene (its hash is {:016x}, this scene's is {:016x}); resume with the scene "
+        "that wrote it",
+        file_->stamp.scene_hash, hash));
 }
 
 bool CheckpointReader::has(std::string const& name) const
@@ -167,9 +174,11 @@ std::vector<std::size_t> CheckpointReader::shape_checked(std::string const& name
     Handle const source = file_->dataset(name);
     Element const found = file_->kind(source.get(), name);
     if (found != kind)
-        file_->fail(fmt::format("the array '{}' is of type {}, expected {}", name, hdf5::name_of(found), hdf5::name_of(kind)));
+        file_->fail(
+            fmt::format("the array '{}' is of type {}, expected {}", name, hdf5::name_of(found), hdf5::name_of(kind)));
     auto const extents = file_->shape(source.get());
-    if (extents.size() != rank) file_->fail(fmt::format("the array '{}' has rank {}, expected {}", name, extents.size(), rank));
+    if (extents.size() != rank)
+        file_->fail(fmt::format("the array '{}' has rank {}, expected {}", name, extents.size(), rank));
     return extents;
 }
 
@@ -177,7 +186,8 @@ void CheckpointReader::require_extent(std::string const& name, std::size_t axis,
 {
     auto const extents = shape(name);
     if (extents[axis] != expected)
-        file_->fail(fmt::format("the array '{}' has shape [{}], expected {} along axis {}", name, fmt::join(extents, ", "), expected, axis));
+        file_->fail(fmt::format("the array '{}' has shape [{}], expected {} along axis {}", name,
+                                fmt::join(extents, ", "), expected, axis));
 }
 
 void CheckpointReader::require_one(std::string const& name, std::size_t found) const
@@ -205,8 +215,10 @@ void CheckpointReader::verify() const
     std::vector<char> buffer;
     for (auto const& name : names()) {
         Handle const source = file_->dataset(name);
-        std::size_t const size = size_of(file_->shape(source.get())) * H5Tget_size(hdf5::type_of(file_->kind(source.get(), name)));
-        if (H5Dget_storage_size(source.get()) != size) file_->fail(fmt::format("the array '{}' is damaged (its size is wrong){}", name, what_now));
+        std::size_t const size =
+            size_of(file_->shape(source.get())) * H5Tget_size(hdf5::type_of(file_->kind(source.get(), name)));
+        if (H5Dget_storage_size(source.get()) != size)
+            file_->fail(fmt::format("the array '{}' is damaged (its size is wrong){}", name, what_now));
         buffer.resize(size);
         read(name, buffer.data());
     }

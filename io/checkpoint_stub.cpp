@@ -16,14 +16,20 @@ bool can_write_checkpoints() { return false; }
 struct CheckpointWriter::File {};
 struct CheckpointReader::File {};
 
-CheckpointWriter::CheckpointWriter(std::filesystem::path path, CheckpointStamp const&) { throw OutputError(path.string() + left_out); }
+CheckpointWriter::CheckpointWriter(std::filesystem::path path, CheckpointStamp const&)
+{
+    throw OutputError(path.string() + left_out);
+}
 CheckpointWriter::~CheckpointWriter() = default;
 void CheckpointWriter::write(std::string const&, Element, std::vector<std::size_t> const&, void const*) {}
 void CheckpointWriter::commit() {}
 
 CheckpointReader::CheckpointReader(std::filesystem::path path) { throw InputError(path.string() + left_out); }
 CheckpointReader::~CheckpointReader() = default;
-CheckpointStamp const& CheckpointReader::stamp() const { fail_requirement("HDF5", "there is no reader", __FILE__, __LINE__); }
+CheckpointStamp const& CheckpointReader::stamp() const
+{
+    fail_requirement("HDF5", "there is no reader", __FILE__, __LINE__);
+}
 void CheckpointReader::require_scene(std::uint64_t) const {}
 bool CheckpointReader::has(std::string const&) const { return false; }
 std::vector<std::string> CheckpointReader::names() const { return {}; }

@@ -38,7 +38,8 @@ struct CheckpointWriter::File {
         Handle const type(H5Tcopy(H5T_C_S1), H5Tclose);
         H5Tset_size(type.get(), value.size() + 1);
         Handle const target(H5Acreate2(owner, name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-        check(target.valid() && H5Awrite(target.get(), type.get(), value.c_str()) >= 0, fmt::format("cannot write '{}'", name));
+        check(target.valid() && H5Awrite(target.get(), type.get(), value.c_str()) >= 0,
+              fmt::format("cannot write '{}'", name));
     }
     void stamp(CheckpointStamp const& stamp) const
     {
@@ -55,14 +56,16 @@ struct CheckpointWriter::File {
     }
 };
 
-CheckpointWriter::CheckpointWriter(std::filesystem::path path, CheckpointStamp const& stamp) : file_(std::make_unique<File>())
+CheckpointWriter::CheckpointWriter(std::filesystem::path path, CheckpointStamp const& stamp)
+    : file_(std::make_unique<File>())
 {
     hdf5::Quiet const quiet;
     file_->path = std::move(path);
     // Format 1.8 and later keep checksums of their own structures; the arrays' are ours.
     Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_LATEST);
-    file_->handle = Handle(H5Fcreate(temporary_name(file_->path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+    file_->handle =
+        Handle(H5Fcreate(temporary_name(file_->path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
     file_->check(file_->handle.valid(), "cannot create the checkpoint");
     file_->stamp(stamp);
 }
@@ -75,7 +78,8 @@ CheckpointWriter::~CheckpointWriter()
     if (!file_->committed) std::filesystem::remove(temporary_name(file_->path), ignored);
 }
 
-void CheckpointWriter::write(std::string const& name, Element kind, std::vector<std::size_t> const& shape, void const* data)
+void CheckpointWriter::write(std::string const& name, Element kind, std::vector<std::size_t> const& shape,
+                             void const* data)
 {
     hdf5::Quiet const quiet;
     std::vector<hsize_t> const extents(shape.begin(), shape.end());
@@ -83,9 +87,12 @@ void CheckpointWriter::write(std::string const& name, Element kind, std::vector<
     Handle const space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
     Handle const links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(links.get(), 1);
-    Handle const target(H5Dcreate2(file_->handle.get(), name.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+    Handle const target(
+        H5Dcreate2(file_->handle.get(), name.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Dclose);
     std::size_t const count = size_of(shape);
-    bool const written = target.valid() && (count == 0 || H5Dwrite(target.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0);
+    bool const written =
+        target.valid() && (count == 0 || H5Dwrite(target.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0);
     file_->check(written, fmt::format("cannot write '{}'", name));
     std::uint64_t const sum = hdf5::checksum(data, count * H5Tget_size(type));
     file_->attribute(target.get(), "fnv1a", Element::uint64, &sum);
@@ -94,7 +101,8 @@ void CheckpointWriter::write(std::string const& name, Element kind, std::vector<
 void CheckpointWriter::commit()
 {
     hdf5::Quiet const quiet;
-    file_->check(H5Fflush(file_->handle.get(), H5F_SCOPE_GLOBAL) >= 0 && file_->handle.reset(), "cannot finish the checkpoint");
+    file_->check(H5Fflush(file_->handle.get(), H5F_SCOPE_GLOBAL) >= 0 && file_->handle.reset(),
+                 "cannot finish the checkpoint");
     publish_file(file_->path);
     file_->committed = true;
 }

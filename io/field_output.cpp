@@ -14,7 +14,8 @@ void check_choice(std::vector<std::string> const& chosen, std::vector<std::strin
 {
     for (auto const& name : chosen)
         if (std::find(known.begin(), known.end(), name) == known.end())
-            throw InputError(fmt::format("output: there is no {} field '{}'; there are: {}", what, name, fmt::join(known, ", ")));
+            throw InputError(
+                fmt::format("output: there is no {} field '{}'; there are: {}", what, name, fmt::join(known, ", ")));
 }
 
 bool is_chosen(std::vector<std::string> const& chosen, std::string const& name)
@@ -30,7 +31,8 @@ public:
     template <class T> void add(char const* name, int components, std::vector<T> const& values)
     {
         bool const known = values.size() == items_ * components;
-        ARENITE_REQUIRE(known || values.empty(), fmt::format("{} values of {} for {} items", values.size(), name, items_));
+        ARENITE_REQUIRE(known || values.empty(),
+                        fmt::format("{} values of {} for {} items", values.size(), name, items_));
         if (known && is_chosen(chosen_, name)) arrays.push_back({name, components, values});
     }
 
@@ -46,14 +48,16 @@ private:
 std::vector<Real> speeds(std::vector<Real> const& velocity)
 {
     std::vector<Real> result(velocity.size() / 3);
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = norm(Vec3{velocity[3 * i], velocity[3 * i + 1], velocity[3 * i + 2]});
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = norm(Vec3{velocity[3 * i], velocity[3 * i + 1], velocity[3 * i + 2]});
     return result;
 }
 
 std::vector<std::string> const& grain_fields()
 {
-    static std::vector<std::string> const names{"diameter", "velocity", "spin",  "force", "torque",   "fluid_force",
-                                                "bonds",    "coordination", "class", "material", "id"};
+    static std::vector<std::string> const names{"diameter", "velocity",    "spin",  "force",
+                                                "torque",   "fluid_force", "bonds", "coordination",
+                                                "class",    "material",    "id"};
     return names;
 }
 
@@ -112,7 +116,8 @@ FieldOutput::FieldOutput(std::filesystem::path folder, std::optional<ResumePoint
     : folder_(std::move(folder)), resume_(resume)
 {
     make_folder(folder_);
-    for (auto const& [name, extension] : {std::pair{"particles", "vtp"}, {"fluid", "vti"}, {"streamlines", "vtp"}, {"walls", "vtp"}})
+    for (auto const& [name, extension] :
+         {std::pair{"particles", "vtp"}, {"fluid", "vti"}, {"streamlines", "vtp"}, {"walls", "vtp"}})
         if (std::filesystem::exists(folder_ / (std::string(name) + ".pvd"))) series(name, extension);
 }
 

@@ -6,12 +6,14 @@ namespace {
 
 std::vector<std::string> history_header(HistoryColumns const& columns)
 {
-    std::vector<std::string> names{"time",           "stage",    "step",         "grains",        "contacts",       "bonds",
-                                   "kinetic_energy", "porosity", "coordination", "produced_mass", "produced_count", "max_overlap_ratio"};
+    std::vector<std::string> names{"time",         "stage",         "step",           "grains",
+                                   "contacts",     "bonds",         "kinetic_energy", "porosity",
+                                   "coordination", "produced_mass", "produced_count", "max_overlap_ratio"};
     for (auto const& wall : columns.walls)
         for (char const* axis : {"x", "y", "z"}) names.push_back("force_" + wall + "_" + axis);
     if (columns.fluid)
-        for (char const* name : {"pressure_iterations", "pressure_residual", "continuity_error", "courant", "inflow", "outflow"})
+        for (char const* name :
+             {"pressure_iterations", "pressure_residual", "continuity_error", "courant", "inflow", "outflow"})
             names.emplace_back(name);
     names.insert(names.end(), columns.extra.begin(), columns.extra.end());
     return names;
@@ -29,7 +31,8 @@ void append_flow(std::vector<Cell>& cells, std::optional<FlowReport> const& flow
         return;
     }
     cells.emplace_back(flow->pressure_iterations);
-    for (Real const value : {flow->pressure_residual, flow->continuity_error, flow->courant, flow->inflow, flow->outflow})
+    for (Real const value :
+         {flow->pressure_residual, flow->continuity_error, flow->courant, flow->inflow, flow->outflow})
         cells.emplace_back(value);
 }
 
@@ -42,7 +45,8 @@ std::optional<TimeSeries::Keep> rows_until(std::optional<ResumePoint> const& res
 } // namespace
 
 History::History(std::filesystem::path const& folder, HistoryColumns columns, std::optional<ResumePoint> const& resume)
-    : columns_(std::move(columns)), table_(folder / "history.csv", history_header(columns_), rows_until(resume, "step", true))
+    : columns_(std::move(columns)),
+      table_(folder / "history.csv", history_header(columns_), rows_until(resume, "step", true))
 {
 }
 
@@ -50,10 +54,9 @@ void History::add(HistoryRow const& row)
 {
     ARENITE_REQUIRE(row.wall_forces.size() == columns_.walls.size(), "one force for each wall");
     ARENITE_REQUIRE(row.extra.size() == columns_.extra.size(), "one value for each extra column");
-    std::vector<Cell> cells{row.time,          row.stage,           row.step,
-                            row.grains,        row.contacts,        row.bonds,
-                            row.kinetic_energy, row.porosity, row.coordination,
-                            row.produced_mass, row.produced_count,  row.max_overlap_ratio};
+    std::vector<Cell> cells{row.time,         row.stage,         row.step,           row.grains,
+                            row.contacts,     row.bonds,         row.kinetic_energy, row.porosity,
+                            row.coordination, row.produced_mass, row.produced_count, row.max_overlap_ratio};
     for (auto const& force : row.wall_forces) append_vector(cells, force);
     if (columns_.fluid) append_flow(cells, row.flow);
     for (auto const& value : row.extra) cells.emplace_back(value);

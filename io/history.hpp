@@ -17,13 +17,13 @@ struct HistoryRow {
     std::string stage;
     std::int64_t step = 0;
     std::int64_t grains = 0, contacts = 0, bonds = 0;
-    Real kinetic_energy = 0;              // J, translation and rotation
-    std::optional<Real> porosity;         // of the sample
-    std::optional<Real> coordination;     // contacts per grain
+    Real kinetic_energy = 0;                      // J, translation and rotation
+    std::optional<Real> porosity;                 // of the sample
+    std::optional<Real> coordination;             // contacts per grain
     std::vector<std::optional<Vec3>> wall_forces; // N, in the order of the names; none: not there
-    Real produced_mass = 0;               // kg since the start
+    Real produced_mass = 0;                       // kg since the start
     std::int64_t produced_count = 0;
-    Real max_overlap_ratio = 0;           // overlap / radius
+    Real max_overlap_ratio = 0; // overlap / radius
     std::optional<FlowReport> flow;
     std::vector<std::optional<Real>> extra; // in the order of the extra columns
 };
@@ -50,9 +50,9 @@ struct ProducedGrain {
     Real time = 0;
     GrainId id = 0;
     int size_class = 0;
-    Real diameter = 0;     // m, as simulated
+    Real diameter = 0;      // m, as simulated
     Real coarse_factor = 1; // k: the original grains have diameter / k
-    Real mass = 0;         // kg
+    Real mass = 0;          // kg
     Vec3 position, velocity;
 };
 

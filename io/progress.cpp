@@ -73,7 +73,8 @@ void Progress::clear()
 std::string Progress::line(ProgressState const& state, double now) const
 {
     std::string text = fmt::format("{}: {:.4g} s", state.stage, state.time);
-    if (state.end_time > 0) text += fmt::format(" of {:.4g} s ({:.0f} %)", state.end_time, 100 * state.time / state.end_time);
+    if (state.end_time > 0)
+        text += fmt::format(" of {:.4g} s ({:.0f} %)", state.end_time, 100 * state.time / state.end_time);
     text += fmt::format(", wall {}, {:.2e} particle-steps/s", duration_text(now - begin_), rate_);
     Real const done = state.time - stage_begin_time_;
     if (state.end_time > 0 && done > 0)

@@ -41,14 +41,14 @@ private:
     std::ostream& stream_;
     bool shown_;
     Clock clock_;
-    double begin_ = 0;            // of the run, wall time
-    double last_ = -1e9;          // of the last line, wall time
-    ProgressState last_state_;    // what it showed
-    double stage_begin_ = 0;      // wall time ...
-    Real stage_begin_time_ = 0;   // ... and simulated time at the first update of the stage
+    double begin_ = 0;          // of the run, wall time
+    double last_ = -1e9;        // of the last line, wall time
+    ProgressState last_state_;  // what it showed
+    double stage_begin_ = 0;    // wall time ...
+    Real stage_begin_time_ = 0; // ... and simulated time at the first update of the stage
     std::string stage_;
-    double rate_ = 0;             // particle-steps/s since the last line
-    std::size_t width_ = 0;       // of what is on the terminal
+    double rate_ = 0;       // particle-steps/s since the last line
+    std::size_t width_ = 0; // of what is on the terminal
 };
 
 /// 42 s, 3 min 20 s, 5 h 02 min, 3 d 4 h.

@@ -14,13 +14,14 @@ PvdSeries::PvdSeries(std::filesystem::path folder, std::string name, std::string
 {
     make_folder(folder_ / name_);
     drop_after(resume);
-    if (entries_.empty())
-        std::filesystem::remove(folder_ / (name_ + ".pvd"));
-    else
-        write_list();
+    if (entries_.empty()) std::filesystem::remove(folder_ / (name_ + ".pvd"));
+    else write_list();
 }
 
-std::string PvdSeries::piece_name(int index) const { return fmt::format("{0}/{0}_{1:06}.{2}", name_, index, extension_); }
+std::string PvdSeries::piece_name(int index) const
+{
+    return fmt::format("{0}/{0}_{1:06}.{2}", name_, index, extension_);
+}
 
 std::filesystem::path PvdSeries::next_piece() const { return folder_ / piece_name(next_); }
 
@@ -43,7 +44,8 @@ std::vector<PvdSeries::Entry> PvdSeries::listed_entries() const
     auto const path = folder_ / (name_ + ".pvd");
     if (!std::filesystem::exists(path)) return {};
     std::string const content = read_file(path);
-    std::regex const line("<DataSet timestep=\"([^\"]+)\" file=\"" + name_ + "/" + name_ + "_([0-9]{6,9})\\." + extension_ + "\"/>");
+    std::regex const line("<DataSet timestep=\"([^\"]+)\" file=\"" + name_ + "/" + name_ + "_([0-9]{6,9})\\." +
+                          extension_ + "\"/>");
     std::vector<Entry> entries;
     for (std::sregex_iterator match(content.begin(), content.end(), line), end; match != end; ++match) {
         std::string const time = (*match)[1].str();
@@ -74,7 +76,8 @@ void PvdSeries::delete_piece(Entry const& entry) const
 
 void PvdSeries::write_list() const
 {
-    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+                       "byte_order=\"LittleEndian\">\n  <Collection>\n";
     for (Entry const& entry : entries_)
         text += fmt::format("    <DataSet timestep=\"{}\" file=\"{}\"/>\n", entry.time, piece_name(entry.index));
     write_file_atomically(folder_ / (name_ + ".pvd"), text + "  </Collection>\n</VTKFile>\n");

@@ -38,8 +38,7 @@ std::vector<Real> diameters_of(RecordView const& position, int count)
 }
 
 /// A field of cell values, or the mean over the two faces of each cell normal to `axis`.
-template <class HostField>
-void copy_cells(Grid const& grid, HostField const& field, int axis, Real* out, int stride)
+template <class HostField> void copy_cells(Grid const& grid, HostField const& field, int axis, Real* out, int stride)
 {
     int const h = Grid::halo, dx = axis == 0, dy = axis == 1, dz = axis == 2;
     for (int k = 0; k < grid.cells[2]; ++k)

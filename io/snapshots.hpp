@@ -12,14 +12,14 @@ namespace arenite {
 
 /// Owned grains; vectors of three are interleaved (x0, y0, z0, x1, ...).
 struct GrainSnapshot {
-    Real time = 0;                       // s
-    std::vector<Real> position;          // m
-    std::vector<Real> diameter;          // m
-    std::vector<Real> velocity;          // m/s
-    std::vector<Real> spin;              // rad/s
-    std::vector<Real> force;             // N
-    std::vector<Real> torque;            // N m
-    std::vector<Real> fluid_force;       // N; empty without fluid
+    Real time = 0;                        // s
+    std::vector<Real> position;           // m
+    std::vector<Real> diameter;           // m
+    std::vector<Real> velocity;           // m/s
+    std::vector<Real> spin;               // rad/s
+    std::vector<Real> force;              // N
+    std::vector<Real> torque;             // N m
+    std::vector<Real> fluid_force;        // N; empty without fluid
     std::vector<int> bonds, coordination; // per grain; empty: not known
     std::vector<int> size_class, material;
     std::vector<std::int64_t> id;

@@ -15,7 +15,7 @@ namespace arenite {
 namespace {
 
 constexpr double shortest_step = 0.01, longest_step = 0.5; // of a cell
-constexpr double error_limit = 1e-5;                        // of a cell, per step
+constexpr double error_limit = 1e-5;                       // of a cell, per step
 
 /// The velocity at the grid's points, where VTK interpolates from.
 vtkSmartPointer<vtkDataSet> point_velocity(ImagePiece const& image)

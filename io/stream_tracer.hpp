@@ -9,9 +9,9 @@ namespace arenite {
 enum class TraceDirection { both, downstream, upstream };
 
 struct TraceRequest {
-    std::vector<double> seeds;    // interleaved, m; those outside the grid are passed over
-    double max_length = 0;        // m, each way
-    double terminal_speed = 0;    // m/s: a line ends where the flow is slower
+    std::vector<double> seeds; // interleaved, m; those outside the grid are passed over
+    double max_length = 0;     // m, each way
+    double terminal_speed = 0; // m/s: a line ends where the flow is slower
     TraceDirection direction = TraceDirection::both;
 };
 

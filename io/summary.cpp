@@ -19,7 +19,7 @@ Json json_of(Vec3 const& v) { return Json::array({v.x, v.y, v.z}); }
 Json versions()
 {
     BuildInfo const build = build_info();
-    Json json{{"arenite", build.version}, {"commit", build.commit},     {"compiler", build.compiler},
+    Json json{{"arenite", build.version},  {"commit", build.commit}, {"compiler", build.compiler},
               {"build", build.build_type}, {"kokkos", build.kokkos}, {"kokkos_kernels", build.kokkos_kernels}};
     for (OptionalPart const& part : optional_parts()) json[part.name] = part.present ? Json(part.version) : Json();
     return json;
@@ -28,25 +28,33 @@ Json versions()
 Json machine(int ranks)
 {
     Hardware const m = hardware();
-    return {{"host", m.host},       {"cpu", m.cpu},         {"logical_cores", m.cores},     {"memory_bytes", m.memory},
-            {"backend", m.backend}, {"concurrency", m.concurrency}, {"gpu", m.gpu.empty() ? Json() : Json(m.gpu)}, {"ranks", ranks}};
+    return {{"host", m.host},
+            {"cpu", m.cpu},
+            {"logical_cores", m.cores},
+            {"memory_bytes", m.memory},
+            {"backend", m.backend},
+            {"concurrency", m.concurrency},
+            {"gpu", m.gpu.empty() ? Json() : Json(m.gpu)},
+            {"ranks", ranks}};
 }
 
 Json walls_of(StageSummary const& stage)
 {
     Json json = Json::object();
-    for (WallSummary const& wall : stage.walls) json[wall.name] = {{"force", json_of(wall.force)}, {"stress", json_of(wall.stress)}};
+    for (WallSummary const& wall : stage.walls)
+        json[wall.name] = {{"force", json_of(wall.force)}, {"stress", json_of(wall.stress)}};
     return json;
 }
 
 Json json_of(StageSummary const& stage)
 {
-    Json json{{"name", stage.name},
-              {"ended_by", stage.ended_by},
-              {"wall_time", stage.wall_time},
-              {"simulated_time", stage.simulated_time},
-              {"steps", stage.steps},
-              {"particle_steps_per_second", stage.wall_time > 0 ? Json(stage.particle_steps / stage.wall_time) : Json()}};
+    Json json{
+        {"name", stage.name},
+        {"ended_by", stage.ended_by},
+        {"wall_time", stage.wall_time},
+        {"simulated_time", stage.simulated_time},
+        {"steps", stage.steps},
+        {"particle_steps_per_second", stage.wall_time > 0 ? Json(stage.particle_steps / stage.wall_time) : Json()}};
     json["end_state"] = {{"grains", stage.grains},
                          {"contacts", stage.contacts},
                          {"bonds", stage.bonds},

@@ -14,7 +14,7 @@ namespace arenite {
 
 struct WallSummary {
     std::string name;
-    Vec3 force;             // N, by the grains on the wall, at the end of the stage
+    Vec3 force;                 // N, by the grains on the wall, at the end of the stage
     std::optional<Real> stress; // Pa, where the wall has an area
 };
 
@@ -27,9 +27,9 @@ struct StageSummary {
     Real particle_steps = 0; // sum over the steps of the grains present
     std::int64_t grains = 0, contacts = 0, bonds = 0;
     std::optional<Real> porosity, coordination;
-    Real kinetic_energy = 0;      // J
-    Real max_overlap_ratio = 0;   // overlap / radius, the largest of the stage
-    Real produced_mass = 0;       // kg, in this stage
+    Real kinetic_energy = 0;    // J
+    Real max_overlap_ratio = 0; // overlap / radius, the largest of the stage
+    Real produced_mass = 0;     // kg, in this stage
     std::int64_t produced_count = 0;
     std::vector<WallSummary> walls;
     std::map<std::string, std::int64_t> warnings; // kind -> how often: porosity_limited, overlap, lost_grains, ...
@@ -37,12 +37,12 @@ struct StageSummary {
 };
 
 struct RunSummary {
-    std::string scene, title;     // path and title
+    std::string scene, title; // path and title
     std::uint64_t scene_hash = 0;
     std::uint64_t random_seed = 0;
-    std::string outcome;          // "done", "stopped", or the message of what ended the run
+    std::string outcome; // "done", "stopped", or the message of what ended the run
     std::optional<std::int64_t> resumed_from_step;
-    Real wall_time = 0;           // s
+    Real wall_time = 0; // s
     int ranks = 1;
     std::vector<StageSummary> stages;
 };

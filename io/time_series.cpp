@@ -36,8 +36,8 @@ Real number_in(std::string const& line, std::size_t column, std::filesystem::pat
         if (auto const [stop, error] = std::from_chars(cell.data(), end, value); error == std::errc() && stop == end)
             return value;
     }
-    throw InputError(fmt::format("{}: cannot go on with this file: no number in column {} of the row '{}'", path.string(),
-                                 column + 1, line));
+    throw InputError(fmt::format("{}: cannot go on with this file: no number in column {} of the row '{}'",
+                                 path.string(), column + 1, line));
 }
 
 /// The part of an earlier run's file that a resumed run goes on from.
@@ -46,9 +46,10 @@ std::string kept_rows(std::filesystem::path const& path, std::string const& head
 {
     std::string const content = read_file(path);
     if (content.compare(0, header.size(), header) != 0)
-        throw InputError(fmt::format("{}: cannot go on with this file: its columns are not those of this scene\n  expected: {}"
-                                     "  found:    {}",
-                                     path.string(), header, content.substr(0, content.find('\n'))));
+        throw InputError(
+            fmt::format("{}: cannot go on with this file: its columns are not those of this scene\n  expected: {}"
+                        "  found:    {}",
+                        path.string(), header, content.substr(0, content.find('\n'))));
     std::string kept = header;
     std::size_t begin = header.size();
     for (std::size_t end = 0; (end = content.find('\n', begin)) != std::string::npos; begin = end + 1) {
@@ -74,14 +75,10 @@ std::vector<std::string> split_csv_line(std::string const& line)
     bool inside = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         bool const quote = line[i] == '"';
-        if (quote && inside && i + 1 < line.size() && line[i + 1] == '"')
-            cells.back() += line[i++];
-        else if (quote)
-            inside = !inside;
-        else if (line[i] == ',' && !inside)
-            cells.emplace_back();
-        else
-            cells.back() += line[i];
+        if (quote && inside && i + 1 < line.size() && line[i + 1] == '"') cells.back() += line[i++];
+        else if (quote) inside = !inside;
+        else if (line[i] == ',' && !inside) cells.emplace_back();
+        else cells.back() += line[i];
     }
     return cells;
 }
@@ -102,7 +99,8 @@ TimeSeries::TimeSeries(std::filesystem::path path, std::vector<std::string> colu
 
 void TimeSeries::add(std::vector<Cell> const& row)
 {
-    ARENITE_REQUIRE(row.size() == columns_.size(), fmt::format("{}: {} cells for {} columns", path_.string(), row.size(), columns_.size()));
+    ARENITE_REQUIRE(row.size() == columns_.size(),
+                    fmt::format("{}: {} cells for {} columns", path_.string(), row.size(), columns_.size()));
     for (std::size_t i = 0; i < row.size(); ++i) {
         if (i > 0) pending_ += ',';
         pending_ += row[i].text;

@@ -31,8 +31,14 @@ vtkSmartPointer<ArrayType> filled(std::string const& name, int components, std::
 
 struct ToVtkArray {
     DataArray const& entry;
-    vtkSmartPointer<vtkDataArray> operator()(std::vector<double> const& v) const { return filled<vtkDoubleArray>(entry.name, entry.components, v); }
-    vtkSmartPointer<vtkDataArray> operator()(std::vector<int> const& v) const { return filled<vtkIntArray>(entry.name, entry.components, v); }
+    vtkSmartPointer<vtkDataArray> operator()(std::vector<double> const& v) const
+    {
+        return filled<vtkDoubleArray>(entry.name, entry.components, v);
+    }
+    vtkSmartPointer<vtkDataArray> operator()(std::vector<int> const& v) const
+    {
+        return filled<vtkIntArray>(entry.name, entry.components, v);
+    }
     vtkSmartPointer<vtkDataArray> operator()(std::vector<std::int64_t> const& v) const
     {
         return filled<vtkTypeInt64Array>(entry.name, entry.components, v);
@@ -55,7 +61,8 @@ vtkSmartPointer<vtkCellArray> cells_of(PolyPiece const& piece)
     std::int64_t begin = 0;
     for (std::int64_t const end : piece.offsets) {
         cells->InsertNextCell(static_cast<vtkIdType>(end - begin));
-        for (std::int64_t i = begin; i < end; ++i) cells->InsertCellPoint(static_cast<vtkIdType>(piece.connectivity[i]));
+        for (std::int64_t i = begin; i < end; ++i)
+            cells->InsertCellPoint(static_cast<vtkIdType>(piece.connectivity[i]));
         begin = end;
     }
     return cells;
@@ -112,8 +119,8 @@ PolyPiece lines_from_vtk(vtkPolyData& data, double time)
         auto* const array = vtkDoubleArray::SafeDownCast(data.GetPointData()->GetArray(a));
         if (array == nullptr) continue;
         double const* const first = array->GetPointer(0);
-        piece.point_data.push_back(
-            {array->GetName(), array->GetNumberOfComponents(), std::vector<double>(first, first + array->GetNumberOfValues())});
+        piece.point_data.push_back({array->GetName(), array->GetNumberOfComponents(),
+                                    std::vector<double>(first, first + array->GetNumberOfValues())});
     }
     return piece;
 }

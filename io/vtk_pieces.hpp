@@ -24,7 +24,7 @@ enum class CellKind { vertices, lines, polygons };
 /// One kind of cells over points (.vtp).
 struct PolyPiece {
     double time = 0;
-    std::vector<double> points;               // interleaved, m
+    std::vector<double> points; // interleaved, m
     CellKind kind = CellKind::vertices;
     std::vector<std::int64_t> connectivity; // point numbers of each cell in turn
     std::vector<std::int64_t> offsets;      // [cell] end of the cell in connectivity

@@ -34,8 +34,9 @@ public:
 
     template <class T> void array(std::string const& name, int components, std::vector<T> const& values)
     {
-        text(fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>",
-                         type_name<T>, escaped(name), components, data_.size()));
+        text(fmt::format(
+            "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>",
+            type_name<T>, escaped(name), components, data_.size()));
         append(values);
     }
 
@@ -50,8 +51,9 @@ public:
     void time(double value)
     {
         text("<FieldData>");
-        text(fmt::format("<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"appended\" offset=\"{}\"/>",
-                         data_.size()));
+        text(fmt::format(
+            "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"appended\" offset=\"{}\"/>",
+            data_.size()));
         append(std::vector<double>{value});
         text("</FieldData>");
     }
@@ -59,7 +61,8 @@ public:
     std::string file(char const* type) const
     {
         char const* const order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-        return fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
+        return fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"{}\" "
+                           "header_type=\"UInt64\">\n"
                            "{}<AppendedData encoding=\"raw\">\n_",
                            type, order, xml_) +
                data_ + "\n</AppendedData>\n</VTKFile>\n";
@@ -93,8 +96,10 @@ std::string encode_plain(PolyPiece const& piece)
     Document document;
     document.text("<PolyData>");
     document.time(piece.time);
-    document.text(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">",
-                              piece.point_count(), cells(CellKind::vertices), cells(CellKind::lines), cells(CellKind::polygons)));
+    document.text(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
+                              "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">",
+                              piece.point_count(), cells(CellKind::vertices), cells(CellKind::lines),
+                              cells(CellKind::polygons)));
     document.arrays("PointData", piece.point_data);
     document.arrays("CellData", piece.cell_data);
     document.text("<Points>");
@@ -112,8 +117,9 @@ std::string encode_plain(ImagePiece const& piece)
 {
     std::string const extent = fmt::format("0 {} 0 {} 0 {}", piece.cells[0], piece.cells[1], piece.cells[2]);
     Document document;
-    document.text(fmt::format("<ImageData WholeExtent=\"{}\" Origin=\"{} {} {}\" Spacing=\"{} {} {}\">", extent, piece.lower[0],
-                              piece.lower[1], piece.lower[2], piece.spacing[0], piece.spacing[1], piece.spacing[2]));
+    document.text(fmt::format("<ImageData WholeExtent=\"{}\" Origin=\"{} {} {}\" Spacing=\"{} {} {}\">", extent,
+                              piece.lower[0], piece.lower[1], piece.lower[2], piece.spacing[0], piece.spacing[1],
+                              piece.spacing[2]));
     document.time(piece.time);
     document.text(fmt::format("<Piece Extent=\"{}\">\n<PointData>\n</PointData>", extent));
     document.arrays("CellData", piece.cell_data);

@@ -1,6 +1,7 @@
 # Output. What needs an optional part is tested where the part is there.
 arenite_test(test_atomic_file unit unit/test_atomic_file.cpp LINK arenite_output)
 arenite_test(test_time_series unit unit/test_time_series.cpp LINK arenite_output)
+arenite_test(test_wall_surfaces unit unit/test_wall_surfaces.cpp LINK arenite_output)
 arenite_test(test_summary unit unit/test_summary.cpp LINK arenite_output nlohmann_json::nlohmann_json)
 if(TARGET arenite_hdf5)
   arenite_test(test_checkpoint unit unit/test_checkpoint.cpp LINK arenite_output arenite_hdf5)

@@ -42,7 +42,10 @@ inline std::string content_of(std::filesystem::path const& path)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-inline void put(std::filesystem::path const& path, std::string const& content) { std::ofstream(path, std::ios::binary) << content; }
+inline void put(std::filesystem::path const& path, std::string const& content)
+{
+    std::ofstream(path, std::ios::binary) << content;
+}
 
 /// The message of the exception that the call throws; fails the test if it throws none or another type.
 template <class Exception, class Call> std::string message_of(Call const& call)

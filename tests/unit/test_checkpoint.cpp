@@ -47,7 +47,8 @@ TEST(Checkpoint, EveryTypeComesBackBitForBit)
 {
     using Limits = std::numeric_limits<Real>;
     Real const odd_nan = std::bit_cast<Real>(std::uint64_t(0x7ff8dead0000beef));
-    expect_round_trip<Real>({0.0, -0.0, 1.0 / 3, Limits::denorm_min(), Limits::infinity(), -Limits::infinity(), odd_nan});
+    expect_round_trip<Real>(
+        {0.0, -0.0, 1.0 / 3, Limits::denorm_min(), Limits::infinity(), -Limits::infinity(), odd_nan});
     expect_round_trip<float>({-0.0f, 1.0f / 3});
     expect_round_trip<std::int8_t>({-128, 127});
     expect_round_trip<std::uint8_t>({0, 255});
@@ -55,7 +56,8 @@ TEST(Checkpoint, EveryTypeComesBackBitForBit)
     expect_round_trip<std::uint16_t>({65535});
     expect_round_trip<int>({std::numeric_limits<int>::min(), std::numeric_limits<int>::max()});
     expect_round_trip<std::uint32_t>({4294967295u});
-    expect_round_trip<std::int64_t>({std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()});
+    expect_round_trip<std::int64_t>(
+        {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()});
     expect_round_trip<std::uint64_t>({std::numeric_limits<std::uint64_t>::max()});
     expect_round_trip<Real>({});
 }
@@ -143,7 +145,8 @@ TEST(Checkpoint, AnotherTypeRankShapeOrNameIsNamed)
 {
     test::ScratchFolder const folder;
     CheckpointReader const in(write_small(folder.path(), 1));
-    EXPECT_TRUE(contains(message_of<InputError>([&] { in.array<int>("particles/x"); }), "'particles/x' is of type real64, expected int32"));
+    EXPECT_TRUE(contains(message_of<InputError>([&] { in.array<int>("particles/x"); }),
+                         "'particles/x' is of type real64, expected int32"));
     EXPECT_TRUE(contains(message_of<InputError>([&] { in.array<Real>("nothing"); }), "no array 'nothing'"));
     EXPECT_TRUE(contains(message_of<InputError>([&] { in.value<Real>("particles/x"); }), "has 3 values, expected one"));
     RecordView records;
@@ -151,7 +154,8 @@ TEST(Checkpoint, AnotherTypeRankShapeOrNameIsNamed)
     CheckpointWriter out(folder / "d.h5", {});
     out.array("r", Kokkos::View<Real* [3], MemorySpace>("r", 2));
     out.commit();
-    EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "d.h5").view("r", records); }), "shape [2, 3], expected 4 along axis 1"));
+    EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "d.h5").view("r", records); }),
+                         "shape [2, 3], expected 4 along axis 1"));
 }
 
 TEST(Checkpoint, AnotherSceneIsRefused)
@@ -172,7 +176,8 @@ TEST(Checkpoint, MissingForeignAndOtherVersionsAreRefused)
     test::put(folder / "empty.h5", "");
     EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "empty.h5"); }), "not an HDF5 file"));
     test::write_foreign_hdf5(folder / "foreign.h5");
-    EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "foreign.h5"); }), "of another program"));
+    EXPECT_TRUE(
+        contains(message_of<InputError>([&] { CheckpointReader(folder / "foreign.h5"); }), "of another program"));
     fs::path const path = write_small(folder.path(), 1);
     test::set_format_version(path, 99);
     EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader in(path); }), "has checkpoint format 99"));
@@ -257,7 +262,8 @@ TEST(Checkpoint, AFullDiskKeepsTheOldOneAndIsNamed)
     EXPECT_TRUE(contains(message, path.string()));
     EXPECT_TRUE(contains(message, "No space left on device"));
     EXPECT_EQ(content_of(path), before);
-    EXPECT_TRUE(contains(message_of<OutputError>([&] { CheckpointWriter out(folder / "no/c.h5", {}); }), "No such file"));
+    EXPECT_TRUE(
+        contains(message_of<OutputError>([&] { CheckpointWriter out(folder / "no/c.h5", {}); }), "No such file"));
 }
 
 TEST(CheckpointFolder, TheLatestWholeOneOfTheSceneIsTaken)
@@ -282,7 +288,8 @@ TEST(CheckpointFolder, PruningKeepsTheLastOnesAndStageEnds)
     test::ScratchFolder const folder;
     for (int step = 1; step <= 6; ++step) write_small(folder.path(), step, step == 2);
     prune_checkpoints(folder.path(), 2);
-    std::vector<fs::path> const expected{checkpoint_path(folder.path(), 2), checkpoint_path(folder.path(), 5), checkpoint_path(folder.path(), 6)};
+    std::vector<fs::path> const expected{checkpoint_path(folder.path(), 2), checkpoint_path(folder.path(), 5),
+                                         checkpoint_path(folder.path(), 6)};
     EXPECT_EQ(list_checkpoints(folder.path()), expected);
     drop_checkpoints_after(folder.path(), 5);
     EXPECT_EQ(list_checkpoints(folder.path()).size(), 2u);

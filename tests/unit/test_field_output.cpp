@@ -97,7 +97,8 @@ TEST(FieldOutput, OnlyChosenFieldsAreWritten)
     EXPECT_TRUE(contains(message, "no grain field 'speeed'"));
     EXPECT_TRUE(contains(message, "coordination"));
     for (auto const& name : OutputSettings().grain_fields) EXPECT_NO_THROW(grain_piece(snapshot, {name})) << name;
-    for (auto const& name : OutputSettings().fluid_fields) EXPECT_NO_THROW(fluid_piece(FluidSnapshot(), {name})) << name;
+    for (auto const& name : OutputSettings().fluid_fields)
+        EXPECT_NO_THROW(fluid_piece(FluidSnapshot(), {name})) << name;
 }
 
 /// Velocity (x-face index, 0, 10 k), pressure i + 10 j + 100 k, porosity 0.5; NaN in the halo.
@@ -188,7 +189,8 @@ TEST(FieldOutput, TheSeriesListsItsTimesAndSurvivesAResume)
     FieldOutput resumed(folder.path(), ResumePoint{10, 0.1 + 0.2});
     EXPECT_FALSE(fs::exists(folder / "particles/particles_000003.vtp")); // of a future that is not ours
     write_at(resumed, {0.6});
-    std::vector<std::string> const expected{"0 particles/particles_000000.vtp", "0.30000000000000004 particles/particles_000001.vtp",
+    std::vector<std::string> const expected{"0 particles/particles_000000.vtp",
+                                            "0.30000000000000004 particles/particles_000001.vtp",
                                             "0.6 particles/particles_000002.vtp"};
     EXPECT_EQ(listed(folder / "particles.pvd"), expected);
     for (auto const& line : expected) EXPECT_TRUE(test::read_poly(folder / line.substr(line.find(' ') + 1)).opened);
@@ -211,7 +213,8 @@ TEST(FieldOutput, NothingOutsideTheSeriesIsDeleted)
 {
     test::ScratchFolder const folder;
     test::put(folder / "precious.vtp", "x");
-    test::put(folder / "particles.pvd", "<DataSet timestep=\"9\" file=\"precious.vtp\"/>\n<DataSet timestep=\"9\" file=\"../precious.vtp\"/>\n");
+    test::put(folder / "particles.pvd",
+              "<DataSet timestep=\"9\" file=\"precious.vtp\"/>\n<DataSet timestep=\"9\" file=\"../precious.vtp\"/>\n");
     FieldOutput const fresh(folder.path());
     EXPECT_TRUE(fs::exists(folder / "precious.vtp"));
 }

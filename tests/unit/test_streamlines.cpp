@@ -34,7 +34,8 @@ FluidSnapshot flow_in_unit_box(int cells, std::function<Vec3(Vec3)> const& veloc
 std::vector<Vec3> points_of(PolyPiece const& lines)
 {
     std::vector<Vec3> points;
-    for (std::size_t i = 0; i < lines.points.size(); i += 3) points.push_back({lines.points[i], lines.points[i + 1], lines.points[i + 2]});
+    for (std::size_t i = 0; i < lines.points.size(); i += 3)
+        points.push_back({lines.points[i], lines.points[i + 1], lines.points[i + 2]});
     return points;
 }
 
@@ -52,13 +53,16 @@ TEST(Streamlines, AreStraightThroughTheBoxInAUniformFlow)
         lowest = std::min(lowest, point.x);
         highest = std::max(highest, point.x);
     }
-    Real const last_step = 0.5 * std::sqrt(3.0) / 8; // half a cell diagonal: the step that would leave the box is not made
+    Real const last_step =
+        0.5 * std::sqrt(3.0) / 8; // half a cell diagonal: the step that would leave the box is not made
     EXPECT_LT(lowest, last_step);
     EXPECT_GT(highest, 1 - last_step);
     ASSERT_EQ(both.point_data.size(), 2u);
     for (Real const speed : std::get<std::vector<Real>>(both.point_data[1].values)) EXPECT_NEAR(speed, 2e-6, 1e-18);
-    for (Vec3 const& point : points_of(trace_streamlines(fluid, settings, TraceDirection::downstream))) EXPECT_GE(point.x, 0.5 - point_rounding);
-    for (Vec3 const& point : points_of(trace_streamlines(fluid, settings, TraceDirection::upstream))) EXPECT_LE(point.x, 0.5 + point_rounding);
+    for (Vec3 const& point : points_of(trace_streamlines(fluid, settings, TraceDirection::downstream)))
+        EXPECT_GE(point.x, 0.5 - point_rounding);
+    for (Vec3 const& point : points_of(trace_streamlines(fluid, settings, TraceDirection::upstream)))
+        EXPECT_LE(point.x, 0.5 + point_rounding);
 }
 
 TEST(Streamlines, KeepTheirRadiusInARigidRotation)
@@ -84,7 +88,8 @@ TEST(Streamlines, NothingToTraceIsAValidFile)
     auto const still = flow_in_unit_box(4, [](Vec3) { return Vec3{}; });
     FieldOutput output(folder.path());
     output.write_streamlines(moving, settings);
-    for (auto const& lines : {trace_streamlines(moving, settings), trace_streamlines(still, settings), trace_streamlines(moving, {})})
+    for (auto const& lines :
+         {trace_streamlines(moving, settings), trace_streamlines(still, settings), trace_streamlines(moving, {})})
         EXPECT_EQ(lines.offsets.size(), 0u);
     auto const found = test::read_poly(folder / "streamlines/streamlines_000000.vtp");
     EXPECT_TRUE(found.opened);

@@ -61,7 +61,8 @@ FoundFile read_poly(std::filesystem::path const& path)
     found.verts = data.GetNumberOfVerts();
     found.lines = data.GetNumberOfLines();
     found.polys = data.GetNumberOfPolys();
-    for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) found.coordinates.insert(found.coordinates.end(), data.GetPoint(i), data.GetPoint(i) + 3);
+    for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
+        found.coordinates.insert(found.coordinates.end(), data.GetPoint(i), data.GetPoint(i) + 3);
     vtkNew<vtkIdList> ids;
     for (vtkIdType i = 0; i < found.lines; ++i) {
         data.GetCellPoints(i, ids);
