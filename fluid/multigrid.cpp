@@ -125,45 +125,37 @@ void solve_coarsest(MultigridLevel const& level, View1<Real> const& b, View1<Rea
                          KOKKOS_LAMBDA(int cell) { x(cell) = inverse_diagonal(cell) * b(cell); });
 }
 
-/// Conductance between coarse cells: along each fine line the face between them and half of the face
-/// inside either of them in series.
+/// Number of fine cells of a coarse cell along an axis; 0 beyond the boundary.
+KOKKOS_INLINE_FUNCTION int width(MultigridLevel const& fine, int axis, int coarse_cell, int coarse_cells)
+{
+    if (fine.periodic[axis]) coarse_cell = (coarse_cell + coarse_cells) % coarse_cells;
+    if (coarse_cell < 0 || coarse_cell >= coarse_cells) return 0;
+    return Kokkos::min(fine.ratio[axis], fine.cells[axis] - coarse_cell * fine.ratio[axis]);
+}
+
+/// Conductance between coarse cells: the sum over the fine faces between them, less by the ratio of the
+/// distances between centres (the sum alone, Galerkin's for a copying prolongation, is too stiff by it).
 void coarsen_conductance(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, int axis)
 {
     MultigridLevel const fine = fine_level, coarse = coarse_level;
     Kokkos::parallel_for("coarsen_conductance", RangePolicy(0, coarse.face_count(axis)), KOKKOS_LAMBDA(int number) {
         int const nx = coarse.cells[0] + (axis == 0), ny = coarse.cells[1] + (axis == 1);
         int const face[3] = {number % nx, number / nx % ny, number / nx / ny};
-        int const n = fine.cells[axis], coarse_n = coarse.cells[axis], r = fine.ratio[axis];
-        int const at_face = Kokkos::min(face[axis] * r, n);
-        int below = face[axis] - 1, above = face[axis]; // coarse cells on the two sides, -1: none
-        if (below < 0 && fine.periodic[axis]) below = coarse_n - 1;
-        if (above == coarse_n) above = fine.periodic[axis] ? 0 : -1;
-        int const inner[2] = {below < 0 || r == 1 ? n : below * r + 1, above < 0 || r == 1 ? n : above * r + 1};
+        int const n = coarse.cells[axis];
+        int const below = width(fine, axis, face[axis] - 1, n), above = width(fine, axis, face[axis], n);
         int first[3], end[3];
         for (int d = 0; d < 3; ++d) {
-            first[d] = d == axis ? at_face : face[d] * fine.ratio[d];
-            end[d] = d == axis ? at_face + 1 : Kokkos::min(first[d] + fine.ratio[d], fine.cells[d]);
+            first[d] = d == axis ? Kokkos::min(face[d] * fine.ratio[d], fine.cells[d]) : face[d] * fine.ratio[d];
+            end[d] = d == axis ? first[d] + 1 : Kokkos::min(first[d] + fine.ratio[d], fine.cells[d]);
         }
         Real sum = 0;
         for (int k = first[2]; k < end[2]; ++k)
             for (int j = first[1]; j < end[1]; ++j)
-                for (int i = first[0]; i < end[0]; ++i) {
-                    int f[3] = {i, j, k};
-                    Real const between = fine.conductance[axis](fine.face_number(axis, f));
-                    if (!(between > 0)) continue;
-                    Real resistance = 1 / between;
-                    bool open = true;
-                    for (int side = 0; side < 2; ++side) {
-                        if (inner[side] >= n) continue;
-                        f[axis] = inner[side];
-                        Real const inside = fine.conductance[axis](fine.face_number(axis, f));
-                        open = open && inside > 0;
-                        resistance += Real(0.5) / inside;
-                    }
-                    if (open) sum += 1 / resistance;
-                }
-        bool const self = coarse_n == 1 && coarse.periodic[axis]; // a cell that is its own neighbour
-        coarse.conductance[axis](number) = self ? 0 : sum;
+                for (int i = first[0]; i < end[0]; ++i)
+                    sum += fine.conductance[axis](fine.face_number(axis, {i, j, k}));
+        Real const distance = below > 0 && above > 0 ? Real(0.5) * (below + above) : Real(below + above);
+        bool const self = n == 1 && coarse.periodic[axis]; // a cell that is its own neighbour
+        coarse.conductance[axis](number) = self ? 0 : sum / distance;
     });
 }
 
