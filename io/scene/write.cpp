@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 namespace arenite::scene {
 namespace {
 
@@ -97,7 +99,9 @@ std::string document_nested(Field const& field, std::string const& outer)
     std::string const needed =
         field.required ? " Required" + (field.when_text.empty() ? "." : " with " + field.when_text + ".") : "";
     std::string const fallback = field.default_text.empty() ? "" : " Unless written: " + field.default_text + ".";
-    return fmt::format("\n### `{}`\n\n{}.{}{}\n\n{}", heading, field.text, needed, fallback, body);
+    std::string sentence = field.text;
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+    return fmt::format("\n### `{}`\n\n{}.{}{}\n\n{}", heading, sentence, needed, fallback, body);
 }
 
 std::string document(Fields const& fields, std::string const& path)
