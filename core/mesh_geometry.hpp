@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a grain's centre is near to on a mesh, triangle by triangle: the features (face, edges, vertices) that a
 // triangle owns and in whose region the centre lies. All tests of one edge use the same numbers for both of its
-// faces, so the regions neither overlap nor leave a gap by rounding.
+// faces, so the regions neither overlap nor leave a gap by rounding. Mesh is MeshViews or a copy of it on the host.
 #pragma once
 
 #include "core/triangle_mesh.hpp"
@@ -18,7 +18,8 @@ KOKKOS_FUNCTION inline Real beyond_own_edge(MeshTriangle const& t, int k, Vec3 c
 }
 
 /// The same; of two coplanar faces one number decides for both.
-KOKKOS_FUNCTION inline Real beyond_edge(MeshViews const& mesh, int triangle, int k, Vec3 const& x)
+template <class Mesh>
+KOKKOS_FUNCTION Real beyond_edge(Mesh const& mesh, int triangle, int k, Vec3 const& x)
 {
     MeshTriangle const& t = mesh.triangle(triangle);
     if (t.edge[k] == EdgeKind::coplanar && !t.owns_edge[k])
@@ -26,7 +27,8 @@ KOKKOS_FUNCTION inline Real beyond_edge(MeshViews const& mesh, int triangle, int
     return beyond_own_edge(t, k, x);
 }
 
-KOKKOS_FUNCTION inline bool is_over_face(MeshViews const& mesh, int triangle, Vec3 const& x)
+template <class Mesh>
+KOKKOS_FUNCTION bool is_over_face(Mesh const& mesh, int triangle, Vec3 const& x)
 {
     for (int k = 0; k < 3; ++k)
         if (!(beyond_edge(mesh, triangle, k, x) < 0)) return false;
@@ -34,7 +36,8 @@ KOKKOS_FUNCTION inline bool is_over_face(MeshViews const& mesh, int triangle, Ve
 }
 
 /// On a curved surface made of facets that meet at small concave angles only the nearest facet counts.
-KOKKOS_FUNCTION inline bool is_hidden_by_neighbor(MeshViews const& mesh, int triangle, Vec3 const& x, Real height)
+template <class Mesh>
+KOKKOS_FUNCTION bool is_hidden_by_neighbor(Mesh const& mesh, int triangle, Vec3 const& x, Real height)
 {
     MeshTriangle const& t = mesh.triangle(triangle);
     for (int k = 0; k < 3; ++k) {
@@ -47,7 +50,8 @@ KOKKOS_FUNCTION inline bool is_hidden_by_neighbor(MeshViews const& mesh, int tri
     return false;
 }
 
-KOKKOS_FUNCTION inline bool is_in_edge_region(MeshViews const& mesh, int triangle, int k, Vec3 const& x)
+template <class Mesh>
+KOKKOS_FUNCTION bool is_in_edge_region(Mesh const& mesh, int triangle, int k, Vec3 const& x)
 {
     MeshTriangle const& t = mesh.triangle(triangle);
     if (t.edge[k] == EdgeKind::concave || t.edge[k] == EdgeKind::smooth_concave) return false;
@@ -57,7 +61,8 @@ KOKKOS_FUNCTION inline bool is_in_edge_region(MeshViews const& mesh, int triangl
     return t.edge[k] == EdgeKind::boundary || !(beyond_edge(mesh, t.neighbor[k], t.neighbor_edge[k], x) < 0);
 }
 
-KOKKOS_FUNCTION inline bool is_in_vertex_region(MeshViews const& mesh, int vertex, Vec3 const& x)
+template <class Mesh>
+KOKKOS_FUNCTION bool is_in_vertex_region(Mesh const& mesh, int vertex, Vec3 const& x)
 {
     MeshVertex const& v = mesh.vertex(vertex);
     for (int e = v.begin; e < v.end; ++e)
@@ -73,8 +78,8 @@ KOKKOS_FUNCTION inline WallProximity from_point(Vec3 const& point, Vec3 const& x
 }
 
 /// side: of the face, kept while x is over it (see wall_geometry.hpp); a face has no back.
-KOKKOS_FUNCTION inline WallProximity mesh_triangle(MeshViews const& mesh, int triangle, Vec3 const& x, Real grain_radius,
-                                                   Real& side)
+template <class Mesh>
+KOKKOS_FUNCTION WallProximity mesh_triangle(Mesh const& mesh, int triangle, Vec3 const& x, Real grain_radius, Real& side)
 {
     MeshTriangle const& t = mesh.triangle(triangle);
     WallProximity const nothing{t.normal, 0, false};
@@ -124,8 +129,8 @@ KOKKOS_FUNCTION inline Vec3 nearest_on_triangle(Vec3 const (&corner)[3], Vec3 co
 } // namespace wall_geometry
 
 /// Calls visit(triangle) once for every triangle of the part closer than reach to x (in the mesh's frame).
-template <class Visit>
-KOKKOS_FUNCTION void visit_near_triangles(MeshViews const& mesh, MeshGrid const& grid, Vec3 const& x, Real reach,
+template <class Mesh, class Visit>
+KOKKOS_FUNCTION void visit_near_triangles(Mesh const& mesh, MeshGrid const& grid, Vec3 const& x, Real reach,
                                           Visit const& visit)
 {
     int low[3], high[3];

@@ -14,8 +14,7 @@ namespace arenite {
 /// bits depend on ids and forces alone, not on threads or on which grains are merely near.
 std::vector<WallReaction> measure_walls(Particles const& particles, Walls const& walls, WallContacts const& contacts);
 
-/// Elastic energy stored in the wall contacts' normal springs (Hertz, 2/5 F overlap of the conservative part) is not kept
-/// per row; the largest overlap over radius is: of all touching rows, 0 if none.
+/// Largest overlap over radius of all touching rows; 0 if none touches.
 Real largest_wall_overlap_ratio(Particles const& particles, WallContacts const& contacts);
 
 } // namespace arenite
