@@ -9,7 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-namespace arenite {
+namespace arenite
+{
 
 template <int N> using Terms = Kokkos::Array<Real, N>;
 
@@ -18,7 +19,8 @@ struct SumWorkspace {
     View1<Real> partial, next; // [chunk * N + which]
 };
 
-namespace reproducible {
+namespace reproducible
+{
 
 constexpr int chunk = 256; // terms; part of the result's definition
 constexpr int lanes = 4;   // independent running sums in a chunk, to hide the latency of an addition
@@ -36,18 +38,19 @@ KOKKOS_INLINE_FUNCTION int term_index(int c, int which, int chunks)
 template <int N, class Term> void sum_chunks(char const* label, int terms, View1<Real> partial, Term const& term)
 {
     int const chunks = chunk_count(terms);
-    Kokkos::parallel_for(label, RangePolicy(0, chunks), KOKKOS_LAMBDA(int c) {
-        Real sum[lanes][N] = {};
-        for (int which = 0; which < chunk; which += lanes) {
-            for (int lane = 0; lane < lanes; ++lane) {
-                int const i = term_index(c, which + lane, chunks);
-                if (i >= terms) continue;
-                Terms<N> const value = term(i);
-                for (int n = 0; n < N; ++n) sum[lane][n] += value[n];
+    Kokkos::parallel_for(
+        label, RangePolicy(0, chunks), KOKKOS_LAMBDA(int c) {
+            Real sum[lanes][N] = {};
+            for (int which = 0; which < chunk; which += lanes) {
+                for (int lane = 0; lane < lanes; ++lane) {
+                    int const i = term_index(c, which + lane, chunks);
+                    if (i >= terms) continue;
+                    Terms<N> const value = term(i);
+                    for (int n = 0; n < N; ++n) sum[lane][n] += value[n];
+                }
             }
-        }
-        for (int n = 0; n < N; ++n) partial(c * N + n) = (sum[0][n] + sum[1][n]) + (sum[2][n] + sum[3][n]);
-    });
+            for (int n = 0; n < N; ++n) partial(c * N + n) = (sum[0][n] + sum[1][n]) + (sum[2][n] + sum[3][n]);
+        });
 }
 
 template <int N> struct PartialTerm { // a chunk sum as a term of the next round
@@ -98,14 +101,14 @@ Terms<N> reproducible_sums(SumWorkspace& workspace, char const* label, int count
 /// Dot product of two vectors of equal length.
 inline Real reproducible_dot(SumWorkspace& workspace, View1<Real> const& a, View1<Real> const& b)
 {
-    return reproducible_sums<1>(workspace, "reproducible_dot", a.extent_int(0),
-                                KOKKOS_LAMBDA(int i) { return Terms<1>{a(i) * b(i)}; })[0];
+    return reproducible_sums<1>(
+        workspace, "reproducible_dot", a.extent_int(0), KOKKOS_LAMBDA(int i) { return Terms<1>{a(i) * b(i)}; })[0];
 }
 
 inline Real reproducible_sum(SumWorkspace& workspace, View1<Real> const& a)
 {
-    return reproducible_sums<1>(workspace, "reproducible_sum", a.extent_int(0),
-                                KOKKOS_LAMBDA(int i) { return Terms<1>{a(i)}; })[0];
+    return reproducible_sums<1>(
+        workspace, "reproducible_sum", a.extent_int(0), KOKKOS_LAMBDA(int i) { return Terms<1>{a(i)}; })[0];
 }
 
 } // namespace arenite

@@ -10,8 +10,10 @@
 
 #include <utility>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 Grid make_flow_grid(FluidSettings const& settings, Region const& box)
 {
@@ -20,7 +22,8 @@ Grid make_flow_grid(FluidSettings const& settings, Region const& box)
     std::string faults;
     for (int axis = 0; axis < 3; ++axis) {
         grid.cells[axis] = settings.cells[axis];
-        if (grid.cells[axis] < 1) faults += fmt::format("fluid.cells: {} along axis {}; must be at least 1\n", grid.cells[axis], axis);
+        if (grid.cells[axis] < 1)
+            faults += fmt::format("fluid.cells: {} along axis {}; must be at least 1\n", grid.cells[axis], axis);
         if (!(box.upper[axis] > box.lower[axis])) faults += fmt::format("fluid.box: no extent along axis {}\n", axis);
         grid.spacing[axis] = (box.upper[axis] - box.lower[axis]) / grid.cells[axis];
     }
@@ -62,7 +65,8 @@ void report_extremes(Flow const& flow_now, Real dt, FlowReport& report)
             Real const change = (at(flow.porosity, cell) - at(flow.porosity_previous, cell));
             continuity = Kokkos::max(continuity, Kokkos::abs(change + dt * divergence_at_cell(flow, cell)));
             for (int axis = 0; axis < 3; ++axis)
-                courant = Kokkos::max(courant, Kokkos::abs(at(flow.velocity[axis], cell)) * dt / flow.grid.spacing[axis]);
+                courant =
+                    Kokkos::max(courant, Kokkos::abs(at(flow.velocity[axis], cell)) * dt / flow.grid.spacing[axis]);
         },
         Largest(report.continuity_error), Largest(report.courant));
 }
@@ -77,7 +81,8 @@ void report_boundary_flow(Flow const& flow_now, FlowSolver& solver, FlowReport& 
             Node const face = face_of_slot(flow.grid, f - axis * slots);
             int const side = is_face(flow.grid, axis, face) ? boundary_side(flow.grid, axis, face) : 0;
             if (side == 0) return Terms<2>{0, 0};
-            Real const outward = side * flux_at_face(flow.porosity, flow.velocity[axis], axis, face) * flow.grid.face_area(axis);
+            Real const outward =
+                side * flux_at_face(flow.porosity, flow.velocity[axis], axis, face) * flow.grid.face_area(axis);
             return Terms<2>{Kokkos::max(-outward, Real(0)), Kokkos::max(outward, Real(0))};
         });
     report.inflow = sums[0];

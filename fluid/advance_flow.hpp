@@ -9,7 +9,8 @@
 #include "fluid/flow_solver.hpp"
 #include "fluid/halos.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 /// A flow at rest or at the settings' initial velocity, of uniform porosity, in settings.box or else in box.
 /// Gravity enters the body force where the settings want it. Throws InputError.

@@ -8,8 +8,10 @@
 
 #include <cmath>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 constexpr char const* face_names[6] = {"x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"};
 
@@ -73,13 +75,17 @@ void lay_patch(PatchSettings const& patch, Real share, BoundaryFace& face)
 std::string fault_of(PatchSettings const& patch, Grid const& grid)
 {
     if (patch.kind == PatchKind::periodic)
-        return patch.shape == PatchShape::face ? "" : fmt::format("fluid patch on {}: periodic holds for a whole face", name_of(patch));
+        return patch.shape == PatchShape::face
+                   ? ""
+                   : fmt::format("fluid patch on {}: periodic holds for a whole face", name_of(patch));
     if (grid.periodic[axis_of(patch)])
         return fmt::format("fluid patch on {}: the face is periodic, nothing can lie on it", name_of(patch));
     if (patch.shape == PatchShape::disc && !(patch.diameter > 0))
         return fmt::format("fluid patch on {}: a disc needs a diameter above 0", name_of(patch));
     if (patch.kind == PatchKind::wall && patch.velocity[axis_of(patch)] != 0)
-        return fmt::format("fluid patch on {}: a wall of the fluid box can only move along itself; use kind velocity for flow through it", name_of(patch));
+        return fmt::format("fluid patch on {}: a wall of the fluid box can only move along itself; use kind velocity "
+                           "for flow through it",
+                           name_of(patch));
     return "";
 }
 
@@ -115,7 +121,8 @@ void set_periodic_axes(FluidSettings const& settings, Grid& grid)
         grid.periodic[axis] = periodic[2 * axis] && periodic[2 * axis + 1];
         if (periodic[2 * axis] == periodic[2 * axis + 1]) continue;
         int const lone = periodic[2 * axis] ? 2 * axis : 2 * axis + 1;
-        faults += fmt::format("{}fluid patch on {}: periodic, but {} is not", faults.empty() ? "" : "\n", face_names[lone], face_names[lone ^ 1]);
+        faults += fmt::format("{}fluid patch on {}: periodic, but {} is not", faults.empty() ? "" : "\n",
+                              face_names[lone], face_names[lone ^ 1]);
     }
     if (!faults.empty()) throw InputError(faults);
 }

@@ -8,7 +8,8 @@
 #include "core/scene.hpp"
 #include "fluid/grid_loops.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 struct BoundaryFace {
     Real open = 0;       // share under pressure patches; the rest is closed or has a prescribed flux
@@ -37,8 +38,8 @@ KOKKOS_INLINE_FUNCTION int first_transverse(int axis) { return axis == 0 ? 1 : 0
 KOKKOS_INLINE_FUNCTION int second_transverse(int axis) { return axis == 2 ? 1 : 2; }
 
 /// The condition on the face of this cell (or face node) on a boundary; side is -1 or 1.
-KOKKOS_INLINE_FUNCTION BoundaryFace const& boundary_face(FlowBoundary const& boundary, int axis, int side,
-                                                         Node const& cell)
+KOKKOS_FORCEINLINE_FUNCTION BoundaryFace const& boundary_face(FlowBoundary const& boundary, int axis, int side,
+                                                              Node const& cell)
 {
     return boundary.faces[axis][side > 0](cell[first_transverse(axis)] - Grid::halo,
                                           cell[second_transverse(axis)] - Grid::halo);
@@ -73,7 +74,8 @@ KOKKOS_INLINE_FUNCTION EdgeCondition edge_condition(Grid const& grid, FlowBounda
 
 /// Size of a face's control volume in cells: 1 inside, 1/2 at an open boundary face, 0 where the velocity
 /// is prescribed.
-KOKKOS_INLINE_FUNCTION Real face_weight(Grid const& grid, FlowBoundary const& boundary, int component, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real face_weight(Grid const& grid, FlowBoundary const& boundary, int component,
+                                             Node const& face)
 {
     int const side = boundary_side(grid, component, face);
     if (side == 0) return 1;
@@ -81,7 +83,8 @@ KOKKOS_INLINE_FUNCTION Real face_weight(Grid const& grid, FlowBoundary const& bo
 }
 
 /// Share of the face through which the fluid can move freely.
-KOKKOS_INLINE_FUNCTION Real open_share(Grid const& grid, FlowBoundary const& boundary, int component, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real open_share(Grid const& grid, FlowBoundary const& boundary, int component,
+                                            Node const& face)
 {
     int const side = boundary_side(grid, component, face);
     return side == 0 ? Real(1) : boundary_face(boundary, component, side, face).open;

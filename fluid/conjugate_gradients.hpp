@@ -9,7 +9,8 @@
 
 #include <cmath>
 
-namespace arenite {
+namespace arenite
+{
 
 struct KrylovVectors {
     View1<Real> solution, residual, preconditioned, direction, image;

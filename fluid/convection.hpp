@@ -7,10 +7,11 @@
 #include "fluid/boundary.hpp"
 #include "fluid/operators.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 /// Value half way between centre and downstream.
-KOKKOS_INLINE_FUNCTION Real carried_value(ConvectionScheme scheme, Real upstream, Real centre, Real downstream)
+KOKKOS_FORCEINLINE_FUNCTION Real carried_value(ConvectionScheme scheme, Real upstream, Real centre, Real downstream)
 {
     if (scheme == ConvectionScheme::central) return Real(0.5) * (centre + downstream);
     if (scheme == ConvectionScheme::upwind) return centre;
@@ -19,8 +20,8 @@ KOKKOS_INLINE_FUNCTION Real carried_value(ConvectionScheme scheme, Real upstream
 }
 
 /// n u_axis at the side of a component's control volume that lies between `face` and its neighbour above.
-KOKKOS_INLINE_FUNCTION Real carrying_flux(FieldView const& porosity, FaceField const& u, int component, int axis,
-                                          Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real carrying_flux(FieldView const& porosity, FaceField const& u, int component, int axis,
+                                               Node const& face)
 {
     if (axis == component)
         return Real(0.5) * (flux_at_face(porosity, u.component[axis], axis, face) +
@@ -31,8 +32,8 @@ KOKKOS_INLINE_FUNCTION Real carrying_flux(FieldView const& porosity, FaceField c
 }
 
 /// Momentum flux over rho through that side, m2/s2.
-KOKKOS_INLINE_FUNCTION Real momentum_flux(ConvectionScheme scheme, FieldView const& porosity, FaceField const& u,
-                                          int component, int axis, Node const& face, bool on_boundary)
+KOKKOS_FORCEINLINE_FUNCTION Real momentum_flux(ConvectionScheme scheme, FieldView const& porosity, FaceField const& u,
+                                               int component, int axis, Node const& face, bool on_boundary)
 {
     FieldView const& carried = u.component[component];
     Real const flux = carrying_flux(porosity, u, component, axis, face);
@@ -44,15 +45,18 @@ KOKKOS_INLINE_FUNCTION Real momentum_flux(ConvectionScheme scheme, FieldView con
 }
 
 /// div(n u u) for a component at a face inside the box, m/s2; u with filled halos.
-KOKKOS_INLINE_FUNCTION Real convection_at_face(Grid const& grid, ConvectionScheme scheme, FieldView const& porosity,
-                                               FaceField const& u, int component, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real convection_at_face(Grid const& grid, ConvectionScheme scheme,
+                                                    FieldView const& porosity, FaceField const& u, int component,
+                                                    Node const& face)
 {
     Real sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
         bool const edges = axis != component && !grid.periodic[axis];
         int const index = face[axis] - Grid::halo;
-        Real const upper = momentum_flux(scheme, porosity, u, component, axis, face, edges && index == grid.cells[axis] - 1);
-        Real const lower = momentum_flux(scheme, porosity, u, component, axis, shifted(face, axis, -1), edges && index == 0);
+        Real const upper =
+            momentum_flux(scheme, porosity, u, component, axis, face, edges && index == grid.cells[axis] - 1);
+        Real const lower =
+            momentum_flux(scheme, porosity, u, component, axis, shifted(face, axis, -1), edges && index == 0);
         sum += (upper - lower) / grid.spacing[axis];
     }
     return sum;

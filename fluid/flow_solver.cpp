@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/flow_solver.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 FlowSolver make_flow_solver(FluidSettings const& settings, Flow const& flow)
 {

@@ -15,7 +15,8 @@
 #include "fluid/flow.hpp"
 #include "fluid/multigrid.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 enum class TimeScheme { euler, bdf2 };
 
@@ -32,10 +33,10 @@ struct FlowSolver {
     KrylovLimits pressure_limits, velocity_limits;
 
     // State beside the flow's own: for_each_state_field.
-    FaceField previous_velocity;   // [face] one step before flow.velocity, m/s
-    FieldView porosity_oldest;     // [cell] one step before flow.porosity_previous
-    Real previous_time_step = 0;   // s, 0 before the first step
-    FaceField face_force;          // [face] -grad p + div tau that the last step used, Pa/m
+    FaceField previous_velocity; // [face] one step before flow.velocity, m/s
+    FieldView porosity_oldest;   // [cell] one step before flow.porosity_previous
+    Real previous_time_step = 0; // s, 0 before the first step
+    FaceField face_force;        // [face] -grad p + div tau that the last step used, Pa/m
 
     // Work.
     FaceField extrapolated;        // [face] velocity at the new time, extrapolated, m/s

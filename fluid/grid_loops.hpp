@@ -4,7 +4,8 @@
 
 #include "core/grid.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 /// Index into a field, halo included, so that field(i, j, k) needs no shift.
 struct Node {
@@ -13,13 +14,13 @@ struct Node {
     KOKKOS_FUNCTION constexpr int& operator[](int axis) { return axis == 0 ? i : (axis == 1 ? j : k); }
 };
 
-KOKKOS_INLINE_FUNCTION Node shifted(Node node, int axis, int by)
+KOKKOS_FORCEINLINE_FUNCTION Node shifted(Node node, int axis, int by)
 {
     node[axis] += by;
     return node;
 }
 
-KOKKOS_INLINE_FUNCTION Real& at(FieldView const& field, Node const& node) { return field(node.i, node.j, node.k); }
+KOKKOS_FORCEINLINE_FUNCTION Real& at(FieldView const& field, Node const& node) { return field(node.i, node.j, node.k); }
 
 /// A vector field on the faces: component[axis] lives at the faces normal to that axis.
 struct FaceField {
@@ -33,7 +34,7 @@ inline FaceField make_face_field(Grid const& grid, char const* label)
 }
 
 /// The neighbour `by` (-1 or 1) along an axis, a periodic axis wrapped. Not for boundary neighbours.
-KOKKOS_INLINE_FUNCTION Node neighbour(Grid const& grid, Node node, int axis, int by)
+KOKKOS_FORCEINLINE_FUNCTION Node neighbour(Grid const& grid, Node node, int axis, int by)
 {
     int const n = grid.cells[axis];
     int at = node[axis] - Grid::halo + by;
@@ -44,7 +45,7 @@ KOKKOS_INLINE_FUNCTION Node neighbour(Grid const& grid, Node node, int axis, int
 
 /// Whether the node is a face of this component that stands for itself: the last face of a periodic
 /// axis is the image of the first.
-KOKKOS_INLINE_FUNCTION bool is_face(Grid const& grid, int component, Node const& node)
+KOKKOS_FORCEINLINE_FUNCTION bool is_face(Grid const& grid, int component, Node const& node)
 {
     for (int axis = 0; axis < 3; ++axis) {
         int const last = grid.cells[axis] - (axis == component && !grid.periodic[axis] ? 0 : 1);
@@ -54,7 +55,7 @@ KOKKOS_INLINE_FUNCTION bool is_face(Grid const& grid, int component, Node const&
 }
 
 /// -1 at the lower boundary of a component's own axis, 1 at the upper one, 0 inside or where it is periodic.
-KOKKOS_INLINE_FUNCTION int boundary_side(Grid const& grid, int component, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION int boundary_side(Grid const& grid, int component, Node const& face)
 {
     if (grid.periodic[component]) return 0;
     int const at = face[component] - Grid::halo;
@@ -65,30 +66,31 @@ KOKKOS_INLINE_FUNCTION int boundary_side(Grid const& grid, int component, Node c
 template <class Body> void for_each_cell(char const* label, Grid const& grid, Body const& body)
 {
     int const nx = grid.cells[0], ny = grid.cells[1];
-    Kokkos::parallel_for(label, RangePolicy(0, grid.cell_count()), KOKKOS_LAMBDA(int c) {
-        body(Node{c % nx + Grid::halo, c / nx % ny + Grid::halo, c / nx / ny + Grid::halo});
-    });
+    Kokkos::parallel_for(
+        label, RangePolicy(0, grid.cell_count()), KOKKOS_LAMBDA(int c) {
+            body(Node{c % nx + Grid::halo, c / nx % ny + Grid::halo, c / nx / ny + Grid::halo});
+        });
 }
 
 /// Flat index of a cell without the halo, x fastest: the pressure solver's numbering.
-KOKKOS_INLINE_FUNCTION int cell_number(Grid const& grid, Node const& cell)
+KOKKOS_FORCEINLINE_FUNCTION int cell_number(Grid const& grid, Node const& cell)
 {
     return cell.i - Grid::halo + grid.cells[0] * (cell.j - Grid::halo + grid.cells[1] * (cell.k - Grid::halo));
 }
 
-KOKKOS_INLINE_FUNCTION Node cell_of_number(Grid const& grid, int c)
+KOKKOS_FORCEINLINE_FUNCTION Node cell_of_number(Grid const& grid, int c)
 {
     int const nx = grid.cells[0], ny = grid.cells[1];
     return {c % nx + Grid::halo, c / nx % ny + Grid::halo, c / nx / ny + Grid::halo};
 }
 
-KOKKOS_INLINE_FUNCTION int face_slots(Grid const& grid)
+KOKKOS_FORCEINLINE_FUNCTION int face_slots(Grid const& grid)
 {
     return (grid.cells[0] + 1) * (grid.cells[1] + 1) * (grid.cells[2] + 1);
 }
 
 /// Node number c of the box that holds the faces of every component.
-KOKKOS_INLINE_FUNCTION Node face_of_slot(Grid const& grid, int c)
+KOKKOS_FORCEINLINE_FUNCTION Node face_of_slot(Grid const& grid, int c)
 {
     int const nx = grid.cells[0] + 1, ny = grid.cells[1] + 1;
     return {c % nx + Grid::halo, c / nx % ny + Grid::halo, c / nx / ny + Grid::halo};
@@ -98,19 +100,22 @@ KOKKOS_INLINE_FUNCTION Node face_of_slot(Grid const& grid, int c)
 template <class Body> void for_each_face(char const* label, Grid const& grid, Body const& body)
 {
     int const slots = face_slots(grid);
-    Kokkos::parallel_for(label, RangePolicy(0, 3 * slots), KOKKOS_LAMBDA(int f) {
-        int const component = f / slots;
-        Node const node = face_of_slot(grid, f - component * slots);
-        if (is_face(grid, component, node)) body(component, node);
-    });
+    Kokkos::parallel_for(
+        label, RangePolicy(0, 3 * slots), KOKKOS_LAMBDA(int f) {
+            int const component = f / slots;
+            Node const node = face_of_slot(grid, f - component * slots);
+            if (is_face(grid, component, node)) body(component, node);
+        });
 }
 
 /// body(Node) for every node that a field holds, the halo included.
 template <class Body> void for_each_node(char const* label, Grid const& grid, Body const& body)
 {
     int const nx = grid.allocated(0), ny = grid.allocated(1), nz = grid.allocated(2);
-    Kokkos::parallel_for(label, RangePolicy(0, nx * ny * nz),
-                         KOKKOS_LAMBDA(int c) { body(Node{c % nx, c / nx % ny, c / nx / ny}); });
+    Kokkos::parallel_for(
+        label, RangePolicy(0, nx * ny * nz), KOKKOS_LAMBDA(int c) {
+            body(Node{c % nx, c / nx % ny, c / nx / ny});
+        });
 }
 
 } // namespace arenite

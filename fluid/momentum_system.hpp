@@ -15,7 +15,8 @@
 #include "fluid/flow_solver.hpp"
 #include "fluid/operators.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 struct MomentumSystem { // captured by kernels, by value
     Flow flow;
@@ -23,18 +24,18 @@ struct MomentumSystem { // captured by kernels, by value
     TimeDerivative time;
 };
 
-KOKKOS_INLINE_FUNCTION Real drag_at_face(Flow const& flow, int component, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real drag_at_face(Flow const& flow, int component, Node const& face)
 {
     return flow.has_drag() ? mean_at_face(flow.drag, component, face) : Real(0);
 }
 
-KOKKOS_INLINE_FUNCTION Real drag_velocity_at_face(Flow const& flow, int component, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real drag_velocity_at_face(Flow const& flow, int component, Node const& face)
 {
     return flow.has_drag() ? mean_at_face(flow.drag_velocity[component], component, face) : Real(0);
 }
 
 /// Factor of u in d(rho n u)/dt + B u, N s/m4; over n it is the row's own coefficient.
-KOKKOS_INLINE_FUNCTION Real inertia_and_drag(MomentumSystem const& s, int component, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real inertia_and_drag(MomentumSystem const& s, int component, Node const& face)
 {
     Real const n = mean_at_face(s.flow.porosity, component, face);
     return s.time.now * s.flow.density * n + drag_at_face(s.flow, component, face);
@@ -72,7 +73,7 @@ struct ViscousLink {
     Real wall_source[2] = {0, 0}; // wall * wall velocity, Pa/m
 };
 
-KOKKOS_INLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, int component, int axis, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, int component, int axis, Node const& face)
 {
     Grid const& grid = s.flow.grid;
     Real const per_square = s.flow.viscosity / (grid.spacing[axis] * grid.spacing[axis]);
@@ -100,8 +101,8 @@ KOKKOS_INLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, int com
 }
 
 /// W mu (4/3 d2u/dx_d2 + ...) of a vector; `source` 1 with the walls' velocities, 0 for the matrix alone.
-KOKKOS_INLINE_FUNCTION Real diffusion_at_face(MomentumSystem const& s, FieldView const& u, int component,
-                                              Node const& face, Real source)
+KOKKOS_FORCEINLINE_FUNCTION Real diffusion_at_face(MomentumSystem const& s, FieldView const& u, int component,
+                                                   Node const& face, Real source)
 {
     Real const here = at(u, face);
     Real sum = 0;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <limits>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 // Chebyshev polynomial of degree 2 on [low, high]; the Jacobi-scaled matrix has no eigenvalue above 2, and
 // its eigenvalues below `low` are the coarse level's.
@@ -71,32 +73,34 @@ void smooth_from_zero(MultigridLevel const& level, View1<Real> const& b, View1<R
 {
     FirstStep const first{b, level.inverse_diagonal};
     MultigridLevel const here = level;
-    Kokkos::parallel_for("smooth_from_zero", RangePolicy(0, level.cell_count()), KOKKOS_LAMBDA(int cell) {
-        Real const residual = b(cell) - row(here, cell, first);
-        x(cell) = (1 + momentum) * first(cell) + second_step * here.inverse_diagonal(cell) * residual;
-    });
+    Kokkos::parallel_for(
+        "smooth_from_zero", RangePolicy(0, level.cell_count()), KOKKOS_LAMBDA(int cell) {
+            Real const residual = b(cell) - row(here, cell, first);
+            x(cell) = (1 + momentum) * first(cell) + second_step * here.inverse_diagonal(cell) * residual;
+        });
 }
 
 void restrict_residual(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, View1<Real> const& b)
 {
     MultigridLevel const fine = fine_level, coarse = coarse_level;
     Stored const x{fine.smoothed};
-    Kokkos::parallel_for("restrict_residual", RangePolicy(0, coarse.cell_count()), KOKKOS_LAMBDA(int number) {
-        int first[3], end[3];
-        coarse.cell_of(number, first);
-        for (int axis = 0; axis < 3; ++axis) {
-            first[axis] *= fine.ratio[axis];
-            end[axis] = Kokkos::min(first[axis] + fine.ratio[axis], fine.cells[axis]);
-        }
-        Real sum = 0;
-        for (int k = first[2]; k < end[2]; ++k)
-            for (int j = first[1]; j < end[1]; ++j)
-                for (int i = first[0]; i < end[0]; ++i) {
-                    int const cell = fine.number({i, j, k});
-                    sum += b(cell) - row(fine, cell, x);
-                }
-        coarse.right_hand_side(number) = sum;
-    });
+    Kokkos::parallel_for(
+        "restrict_residual", RangePolicy(0, coarse.cell_count()), KOKKOS_LAMBDA(int number) {
+            int first[3], end[3];
+            coarse.cell_of(number, first);
+            for (int axis = 0; axis < 3; ++axis) {
+                first[axis] *= fine.ratio[axis];
+                end[axis] = Kokkos::min(first[axis] + fine.ratio[axis], fine.cells[axis]);
+            }
+            Real sum = 0;
+            for (int k = first[2]; k < end[2]; ++k)
+                for (int j = first[1]; j < end[1]; ++j)
+                    for (int i = first[0]; i < end[0]; ++i) {
+                        int const cell = fine.number({i, j, k});
+                        sum += b(cell) - row(fine, cell, x);
+                    }
+            coarse.right_hand_side(number) = sum;
+        });
 }
 
 void prolong_and_smooth(MultigridLevel const& fine, MultigridLevel const& coarse, View1<Real> const& b,
@@ -104,25 +108,28 @@ void prolong_and_smooth(MultigridLevel const& fine, MultigridLevel const& coarse
 {
     Prolonged const start{fine, coarse, fine.smoothed};
     MultigridLevel const here = fine;
-    Kokkos::parallel_for("prolong_and_smooth", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) {
-        Real const residual = b(cell) - row(here, cell, start);
-        here.correction(cell) = here.inverse_diagonal(cell) * residual / centre;
-        result(cell) = start(cell);
-    });
+    Kokkos::parallel_for(
+        "prolong_and_smooth", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) {
+            Real const residual = b(cell) - row(here, cell, start);
+            here.correction(cell) = here.inverse_diagonal(cell) * residual / centre;
+            result(cell) = start(cell);
+        });
     Stored const correction{fine.correction};
-    Kokkos::parallel_for("smooth_again", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) {
-        // The residual after the first step, scaled by the diagonal, is centre * correction - D^-1 A correction.
-        Real const first = correction(cell);
-        Real const scaled = centre * first - here.inverse_diagonal(cell) * row(here, cell, correction);
-        result(cell) += (1 + momentum) * first + second_step * scaled;
-    });
+    Kokkos::parallel_for(
+        "smooth_again", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) {
+            // The residual after the first step, scaled by the diagonal, is centre * correction - D^-1 A correction.
+            Real const first = correction(cell);
+            Real const scaled = centre * first - here.inverse_diagonal(cell) * row(here, cell, correction);
+            result(cell) += (1 + momentum) * first + second_step * scaled;
+        });
 }
 
 void solve_coarsest(MultigridLevel const& level, View1<Real> const& b, View1<Real> const& x)
 {
     View1<Real> const inverse_diagonal = level.inverse_diagonal;
-    Kokkos::parallel_for("solve_coarsest", RangePolicy(0, level.cell_count()),
-                         KOKKOS_LAMBDA(int cell) { x(cell) = inverse_diagonal(cell) * b(cell); });
+    Kokkos::parallel_for(
+        "solve_coarsest", RangePolicy(0, level.cell_count()),
+        KOKKOS_LAMBDA(int cell) { x(cell) = inverse_diagonal(cell) * b(cell); });
 }
 
 /// Number of fine cells of a coarse cell along an axis; 0 beyond the boundary.
@@ -138,49 +145,52 @@ KOKKOS_INLINE_FUNCTION int width(MultigridLevel const& fine, int axis, int coars
 void coarsen_conductance(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, int axis)
 {
     MultigridLevel const fine = fine_level, coarse = coarse_level;
-    Kokkos::parallel_for("coarsen_conductance", RangePolicy(0, coarse.face_count(axis)), KOKKOS_LAMBDA(int number) {
-        int const nx = coarse.cells[0] + (axis == 0), ny = coarse.cells[1] + (axis == 1);
-        int const face[3] = {number % nx, number / nx % ny, number / nx / ny};
-        int const n = coarse.cells[axis];
-        int const below = width(fine, axis, face[axis] - 1, n), above = width(fine, axis, face[axis], n);
-        int first[3], end[3];
-        for (int d = 0; d < 3; ++d) {
-            first[d] = d == axis ? Kokkos::min(face[d] * fine.ratio[d], fine.cells[d]) : face[d] * fine.ratio[d];
-            end[d] = d == axis ? first[d] + 1 : Kokkos::min(first[d] + fine.ratio[d], fine.cells[d]);
-        }
-        Real sum = 0;
-        for (int k = first[2]; k < end[2]; ++k)
-            for (int j = first[1]; j < end[1]; ++j)
-                for (int i = first[0]; i < end[0]; ++i)
-                    sum += fine.conductance[axis](fine.face_number(axis, {i, j, k}));
-        Real const distance = below > 0 && above > 0 ? Real(0.5) * (below + above) : Real(below + above);
-        bool const self = n == 1 && coarse.periodic[axis]; // a cell that is its own neighbour
-        coarse.conductance[axis](number) = self ? 0 : sum / distance;
-    });
+    Kokkos::parallel_for(
+        "coarsen_conductance", RangePolicy(0, coarse.face_count(axis)), KOKKOS_LAMBDA(int number) {
+            int const nx = coarse.cells[0] + (axis == 0), ny = coarse.cells[1] + (axis == 1);
+            int const face[3] = {number % nx, number / nx % ny, number / nx / ny};
+            int const n = coarse.cells[axis];
+            int const below = width(fine, axis, face[axis] - 1, n), above = width(fine, axis, face[axis], n);
+            int first[3], end[3];
+            for (int d = 0; d < 3; ++d) {
+                first[d] = d == axis ? Kokkos::min(face[d] * fine.ratio[d], fine.cells[d]) : face[d] * fine.ratio[d];
+                end[d] = d == axis ? first[d] + 1 : Kokkos::min(first[d] + fine.ratio[d], fine.cells[d]);
+            }
+            Real sum = 0;
+            for (int k = first[2]; k < end[2]; ++k)
+                for (int j = first[1]; j < end[1]; ++j)
+                    for (int i = first[0]; i < end[0]; ++i)
+                        sum += fine.conductance[axis](fine.face_number(axis, {i, j, k}));
+            Real const distance = below > 0 && above > 0 ? Real(0.5) * (below + above) : Real(below + above);
+            bool const self = n == 1 && coarse.periodic[axis]; // a cell that is its own neighbour
+            coarse.conductance[axis](number) = self ? 0 : sum / distance;
+        });
 }
 
 void invert_diagonal(MultigridLevel const& level_now)
 {
     MultigridLevel const level = level_now;
-    Kokkos::parallel_for("invert_diagonal", RangePolicy(0, level.cell_count()), KOKKOS_LAMBDA(int cell) {
-        int c[3];
-        level.cell_of(cell, c);
-        Real diagonal = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            int f[3] = {c[0], c[1], c[2]};
-            diagonal += level.conductance[axis](level.face_number(axis, f));
-            ++f[axis];
-            diagonal += level.conductance[axis](level.face_number(axis, f));
-        }
-        level.inverse_diagonal(cell) = diagonal > 0 ? 1 / diagonal : 0;
-    });
+    Kokkos::parallel_for(
+        "invert_diagonal", RangePolicy(0, level.cell_count()), KOKKOS_LAMBDA(int cell) {
+            int c[3];
+            level.cell_of(cell, c);
+            Real diagonal = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                int f[3] = {c[0], c[1], c[2]};
+                diagonal += level.conductance[axis](level.face_number(axis, f));
+                ++f[axis];
+                diagonal += level.conductance[axis](level.face_number(axis, f));
+            }
+            level.inverse_diagonal(cell) = diagonal > 0 ? 1 / diagonal : 0;
+        });
 }
 
 void allocate(MultigridLevel& level)
 {
     int const n = level.cell_count();
     for (int axis = 0; axis < 3; ++axis) level.conductance[axis] = View1<Real>("conductance", level.face_count(axis));
-    for (View1<Real>* vector : {&level.inverse_diagonal, &level.right_hand_side, &level.solution, &level.smoothed, &level.correction})
+    for (View1<Real>* vector :
+         {&level.inverse_diagonal, &level.right_hand_side, &level.solution, &level.smoothed, &level.correction})
         *vector = View1<Real>("multigrid_vector", n);
 }
 
@@ -226,8 +236,9 @@ void apply_conductances(MultigridLevel const& level_now, View1<Real> const& vect
 {
     MultigridLevel const level = level_now;
     Stored const x{vector};
-    Kokkos::parallel_for("apply_conductances", RangePolicy(0, level.cell_count()),
-                         KOKKOS_LAMBDA(int cell) { image(cell) = row(level, cell, x); });
+    Kokkos::parallel_for(
+        "apply_conductances", RangePolicy(0, level.cell_count()),
+        KOKKOS_LAMBDA(int cell) { image(cell) = row(level, cell, x); });
 }
 
 void multigrid_cycle(MultigridLevels const& levels, View1<Real> const& right_hand_side, View1<Real> const& result)

@@ -14,17 +14,18 @@
 
 #include <vector>
 
-namespace arenite {
+namespace arenite
+{
 
 struct MultigridLevel {
     int cells[3] = {1, 1, 1};
-    int ratio[3] = {1, 1, 1};          // fine cells per cell of the next coarser level
+    int ratio[3] = {1, 1, 1}; // fine cells per cell of the next coarser level
     bool periodic[3] = {false, false, false};
-    View1<Real> conductance[3];        // [face], x fastest, one more face than cells along its axis
-    View1<Real> inverse_diagonal;      // [cell], 0 where the row is empty
-    View1<Real> right_hand_side;       // [cell]
-    View1<Real> solution;              // [cell]
-    View1<Real> smoothed, correction;  // [cell], between the two steps of a smoothing
+    View1<Real> conductance[3];       // [face], x fastest, one more face than cells along its axis
+    View1<Real> inverse_diagonal;     // [cell], 0 where the row is empty
+    View1<Real> right_hand_side;      // [cell]
+    View1<Real> solution;             // [cell]
+    View1<Real> smoothed, correction; // [cell], between the two steps of a smoothing
 
     KOKKOS_FUNCTION int cell_count() const { return cells[0] * cells[1] * cells[2]; }
     KOKKOS_FUNCTION int number(int const (&c)[3]) const { return c[0] + cells[0] * (c[1] + cells[1] * c[2]); }

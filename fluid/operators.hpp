@@ -11,32 +11,35 @@
 #include "fluid/flow.hpp"
 #include "fluid/grid_loops.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 /// Cell field at the face between the cells node - 1 and node. The halo holds a copy of the boundary cell.
-KOKKOS_INLINE_FUNCTION Real mean_at_face(FieldView const& cell_field, int axis, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real mean_at_face(FieldView const& cell_field, int axis, Node const& face)
 {
     return Real(0.5) * (at(cell_field, shifted(face, axis, -1)) + at(cell_field, face));
 }
 
-KOKKOS_INLINE_FUNCTION Real difference_at_face(FieldView const& cell_field, int axis, Node const& face, Real spacing)
+KOKKOS_FORCEINLINE_FUNCTION Real difference_at_face(FieldView const& cell_field, int axis, Node const& face,
+                                                    Real spacing)
 {
     return (at(cell_field, face) - at(cell_field, shifted(face, axis, -1))) / spacing;
 }
 
 /// Component `axis` of a face field at a cell's centre.
-KOKKOS_INLINE_FUNCTION Real mean_at_cell(FieldView const& face_field, int axis, Node const& cell)
+KOKKOS_FORCEINLINE_FUNCTION Real mean_at_cell(FieldView const& face_field, int axis, Node const& cell)
 {
     return Real(0.5) * (at(face_field, cell) + at(face_field, shifted(cell, axis, 1)));
 }
 
-KOKKOS_INLINE_FUNCTION Real difference_at_cell(FieldView const& face_field, int axis, Node const& cell, Real spacing)
+KOKKOS_FORCEINLINE_FUNCTION Real difference_at_cell(FieldView const& face_field, int axis, Node const& cell,
+                                                    Real spacing)
 {
     return (at(face_field, shifted(cell, axis, 1)) - at(face_field, cell)) / spacing;
 }
 
 /// Interstitial fluid velocity at a cell's centre, m/s.
-KOKKOS_INLINE_FUNCTION Vec3 velocity_at_cell(Flow const& flow, Node const& cell)
+KOKKOS_FORCEINLINE_FUNCTION Vec3 velocity_at_cell(Flow const& flow, Node const& cell)
 {
     Vec3 velocity;
     for (int axis = 0; axis < 3; ++axis) velocity[axis] = mean_at_cell(flow.velocity[axis], axis, cell);
@@ -44,14 +47,14 @@ KOKKOS_INLINE_FUNCTION Vec3 velocity_at_cell(Flow const& flow, Node const& cell)
 }
 
 /// Superficial velocity n u at a face, m/s.
-KOKKOS_INLINE_FUNCTION Real flux_at_face(FieldView const& porosity, FieldView const& velocity, int axis,
-                                         Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real flux_at_face(FieldView const& porosity, FieldView const& velocity, int axis,
+                                              Node const& face)
 {
     return mean_at_face(porosity, axis, face) * at(velocity, face);
 }
 
 /// div(n u) at a cell, 1/s.
-KOKKOS_INLINE_FUNCTION Real divergence_at_cell(Flow const& flow, Node const& cell)
+KOKKOS_FORCEINLINE_FUNCTION Real divergence_at_cell(Flow const& flow, Node const& cell)
 {
     Real sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -63,19 +66,20 @@ KOKKOS_INLINE_FUNCTION Real divergence_at_cell(Flow const& flow, Node const& cel
 }
 
 /// Gradient of the pressure at a cell by central differences over the halo's values, Pa/m.
-KOKKOS_INLINE_FUNCTION Vec3 pressure_gradient_at_cell(Flow const& flow, Node const& cell)
+KOKKOS_FORCEINLINE_FUNCTION Vec3 pressure_gradient_at_cell(Flow const& flow, Node const& cell)
 {
     Vec3 gradient;
     for (int axis = 0; axis < 3; ++axis)
-        gradient[axis] = Real(0.5) * (difference_at_face(flow.pressure, axis, cell, flow.grid.spacing[axis]) +
-                                      difference_at_face(flow.pressure, axis, shifted(cell, axis, 1), flow.grid.spacing[axis]));
+        gradient[axis] =
+            Real(0.5) * (difference_at_face(flow.pressure, axis, cell, flow.grid.spacing[axis]) +
+                         difference_at_face(flow.pressure, axis, shifted(cell, axis, 1), flow.grid.spacing[axis]));
     return gradient;
 }
 
 /// d2 u_e / (dx_component dx_e) summed over the other axes e, at a face inside the box: the part of
 /// div(tau) that couples the components, before the factor mu (1 - 2/3).
-KOKKOS_INLINE_FUNCTION Real mixed_derivative_at_face(Grid const& grid, FaceField const& velocity, int component,
-                                                     Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real mixed_derivative_at_face(Grid const& grid, FaceField const& velocity, int component,
+                                                          Node const& face)
 {
     Real sum = 0;
     for (int e = 0; e < 3; ++e) {

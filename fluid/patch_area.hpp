@@ -5,7 +5,8 @@
 
 #include "core/types.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 /// Rectangle [lower, upper] in the two directions along a face, m.
 struct FaceRectangle {
@@ -23,7 +24,7 @@ inline Real unit_disc_quadrant_area(Real x, Real y)
     Real const c = Kokkos::sqrt(Kokkos::fmax(1 - y * y, Real(0))); // the line y cuts the circle at -c and c
     Real const middle = Kokkos::fmin(Kokkos::fmax(x, -c), c);
     Real area = y * (middle + c) + half_area(middle) - half_area(-c); // between -c and c: height y + s
-    if (y > 0) {                                                       // beyond: the whole chord 2 s
+    if (y > 0) {                                                      // beyond: the whole chord 2 s
         area += 2 * (half_area(Kokkos::fmin(x, -c)) - half_area(-1));
         area += 2 * (half_area(Kokkos::fmax(x, c)) - half_area(c));
     }

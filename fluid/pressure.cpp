@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 /// n u through the two faces of a cell; a periodic upper face is the first one.
 struct CellFluxes {
@@ -28,12 +30,13 @@ void assemble_conductances(MomentumSystem const& system, MultigridLevel const& f
         Grid const grid = s.flow.grid;
         int const nx = grid.cells[0] + (axis == 0), ny = grid.cells[1] + (axis == 1);
         bool const self = grid.cells[axis] == 1 && grid.periodic[axis]; // a cell that is its own neighbour
-        Kokkos::parallel_for("assemble_conductances", RangePolicy(0, finest.face_count(axis)), KOKKOS_LAMBDA(int f) {
-            Node const face{f % nx + Grid::halo, f / nx % ny + Grid::halo, f / nx / ny + Grid::halo};
-            Real const distance = grid.spacing[axis] * (boundary_side(grid, axis, face) == 0 ? Real(1) : Real(0.5));
-            Real const n = mean_at_face(s.flow.porosity, axis, face);
-            conductance(f) = self ? 0 : n * mobility_at_face(s, axis, face) * grid.face_area(axis) / distance;
-        });
+        Kokkos::parallel_for(
+            "assemble_conductances", RangePolicy(0, finest.face_count(axis)), KOKKOS_LAMBDA(int f) {
+                Node const face{f % nx + Grid::halo, f / nx % ny + Grid::halo, f / nx / ny + Grid::halo};
+                Real const distance = grid.spacing[axis] * (boundary_side(grid, axis, face) == 0 ? Real(1) : Real(0.5));
+                Real const n = mean_at_face(s.flow.porosity, axis, face);
+                conductance(f) = self ? 0 : n * mobility_at_face(s, axis, face) * grid.face_area(axis) / distance;
+            });
     }
 }
 
@@ -43,15 +46,16 @@ void evaluate_continuity(Flow const& flow_now, FlowSolver const& solver, Real dt
     Flow const flow = flow_now;
     FieldView const continuity = solver.continuity;
     View1<Real> const residual = solver.pressure_system.residual;
-    for_each_cell("evaluate_continuity", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
-        Real sum = (at(flow.porosity, cell) - at(flow.porosity_previous, cell)) / dt;
-        for (int axis = 0; axis < 3; ++axis) {
-            CellFluxes const flux = fluxes_of(flow, axis, cell);
-            sum += (flux.upper - flux.lower) / flow.grid.spacing[axis];
-        }
-        at(continuity, cell) = sum;
-        residual(cell_number(flow.grid, cell)) = -sum * flow.grid.cell_volume();
-    });
+    for_each_cell(
+        "evaluate_continuity", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
+            Real sum = (at(flow.porosity, cell) - at(flow.porosity_previous, cell)) / dt;
+            for (int axis = 0; axis < 3; ++axis) {
+                CellFluxes const flux = fluxes_of(flow, axis, cell);
+                sum += (flux.upper - flux.lower) / flow.grid.spacing[axis];
+            }
+            at(continuity, cell) = sum;
+            residual(cell_number(flow.grid, cell)) = -sum * flow.grid.cell_volume();
+        });
 }
 
 struct Throughput {
@@ -66,7 +70,8 @@ Throughput measure_throughput(Flow const& flow_now, FlowSolver& solver, Real dt)
     Terms<2> const sums = reproducible_sums<2>(
         solver.sums, "measure_throughput", flow.grid.cell_count(), KOKKOS_LAMBDA(int c) {
             Node const cell = cell_of_number(flow.grid, c);
-            Real passing = (at(flow.porosity, cell) + at(flow.porosity_previous, cell)) / dt * flow.grid.cell_volume() * Real(1e-2);
+            Real passing = (at(flow.porosity, cell) + at(flow.porosity_previous, cell)) / dt * flow.grid.cell_volume() *
+                           Real(1e-2);
             for (int axis = 0; axis < 3; ++axis) {
                 CellFluxes const flux = fluxes_of(flow, axis, cell);
                 passing += (Kokkos::abs(flux.lower) + Kokkos::abs(flux.upper)) * flow.grid.face_area(axis);
@@ -79,8 +84,8 @@ Throughput measure_throughput(Flow const& flow_now, FlowSolver& solver, Real dt)
 
 void add_constant(View1<Real> const& vector, Real constant)
 {
-    Kokkos::parallel_for("add_constant", RangePolicy(0, vector.extent_int(0)),
-                         KOKKOS_LAMBDA(int c) { vector(c) += constant; });
+    Kokkos::parallel_for(
+        "add_constant", RangePolicy(0, vector.extent_int(0)), KOKKOS_LAMBDA(int c) { vector(c) += constant; });
 }
 
 /// A closed box takes no net volume: what is left is rounding of the porosities, and is spread evenly.
@@ -108,8 +113,10 @@ void close_mass(FlowBoundary const& boundary, FlowSolver& solver)
     }
     Kokkos::deep_copy(ExecutionSpace(), v.direction, Real(1));
     apply_conductances(solver.levels[0], v.direction, v.image);
-    Terms<2> const sums = reproducible_sums<2>(solver.sums, "close_mass", cells,
-                                               KOKKOS_LAMBDA(int c) { return Terms<2>{v.residual(c), v.image(c)}; });
+    Terms<2> const sums = reproducible_sums<2>(
+        solver.sums, "close_mass", cells, KOKKOS_LAMBDA(int c) {
+            return Terms<2>{v.residual(c), v.image(c)};
+        });
     add_constant(v.solution, sums[0] / sums[1]);
 }
 
@@ -141,19 +148,21 @@ void correct_velocity(Flow const& flow_now, FlowBoundary const& boundary, FlowSo
     MomentumSystem const s{flow_now, boundary, time};
     Grid const grid = flow_now.grid;
     View1<Real> const phi = solver.pressure_system.solution;
-    for_each_face("correct_velocity", grid, KOKKOS_LAMBDA(int component, Node const& face) {
-        if (!(face_weight(grid, s.boundary, component, face) > 0)) return;
-        int const side = boundary_side(grid, component, face);
-        Real const above = side > 0 ? 0 : phi(cell_number(grid, face));
-        Real const below = side < 0 ? 0 : phi(cell_number(grid, neighbour(grid, face, component, -1)));
-        Real const distance = grid.spacing[component] * (side == 0 ? Real(1) : Real(0.5));
-        at(s.flow.velocity[component], face) -= mobility_at_face(s, component, face) * (above - below) / distance;
-    });
+    for_each_face(
+        "correct_velocity", grid, KOKKOS_LAMBDA(int component, Node const& face) {
+            if (!(face_weight(grid, s.boundary, component, face) > 0)) return;
+            int const side = boundary_side(grid, component, face);
+            Real const above = side > 0 ? 0 : phi(cell_number(grid, face));
+            Real const below = side < 0 ? 0 : phi(cell_number(grid, neighbour(grid, face, component, -1)));
+            Real const distance = grid.spacing[component] * (side == 0 ? Real(1) : Real(0.5));
+            at(s.flow.velocity[component], face) -= mobility_at_face(s, component, face) * (above - below) / distance;
+        });
     FieldView const continuity = solver.continuity;
-    for_each_cell("correct_pressure", grid, KOKKOS_LAMBDA(Node const& cell) {
-        at(s.flow.pressure, cell) += phi(cell_number(grid, cell)) -
-                                     s.flow.viscosity / at(s.flow.porosity, cell) * at(continuity, cell);
-    });
+    for_each_cell(
+        "correct_pressure", grid, KOKKOS_LAMBDA(Node const& cell) {
+            at(s.flow.pressure, cell) +=
+                phi(cell_number(grid, cell)) - s.flow.viscosity / at(s.flow.porosity, cell) * at(continuity, cell);
+        });
 }
 
 } // namespace arenite

@@ -11,7 +11,8 @@
 
 #include "fluid/flow_solver.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 /// phi into solver.pressure_system.solution, [cell]. Throws SimulationError when
 /// a closed box is asked to take in or give up fluid.

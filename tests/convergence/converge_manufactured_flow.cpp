@@ -11,7 +11,8 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 using Wide = long double;
 constexpr Wide pi = 3.14159265358979323846264338327950288L, a = 2 * pi;
@@ -89,9 +90,12 @@ Errors run_manufactured(int n, ConvectionScheme scheme)
     }
     Real const dt = 0.15 / n; // Courant number 0.4
     FlowReport const report = c.steps(int(1 / dt), dt);
-    Errors errors{0, errors_of(flow.grid, flow.pressure, -1, [](Vec3 x) { return Real(pressure(x.x, x.y)); }).rms, report.continuity_error / dt};
+    Errors errors{0, errors_of(flow.grid, flow.pressure, -1, [](Vec3 x) { return Real(pressure(x.x, x.y)); }).rms,
+                  report.continuity_error / dt};
     for (int axis = 0; axis < 2; ++axis)
-        errors.velocity += std::pow(errors_of(flow.grid, flow.velocity[axis], axis, [&](Vec3 x) { return Real(velocity(axis, x.x, x.y)); }).rms, 2);
+        errors.velocity += std::pow(
+            errors_of(flow.grid, flow.velocity[axis], axis, [&](Vec3 x) { return Real(velocity(axis, x.x, x.y)); }).rms,
+            2);
     errors.velocity = std::sqrt(errors.velocity);
     return errors;
 }
@@ -99,9 +103,10 @@ Errors run_manufactured(int n, ConvectionScheme scheme)
 TEST(ManufacturedFlow, SecondOrder)
 {
     for (ConvectionScheme const scheme : {ConvectionScheme::central, ConvectionScheme::limited}) {
-        Errors const coarse = run_manufactured(12, scheme), fine = run_manufactured(24, scheme), finest = run_manufactured(48, scheme);
-        printf("scheme %d: u %.3e %.3e %.3e  p %.3e %.3e %.3e  continuity %.1e\n", int(scheme), coarse.velocity, fine.velocity,
-               finest.velocity, coarse.pressure, fine.pressure, finest.pressure, finest.continuity);
+        Errors const coarse = run_manufactured(12, scheme), fine = run_manufactured(24, scheme),
+                     finest = run_manufactured(48, scheme);
+        printf("scheme %d: u %.3e %.3e %.3e  p %.3e %.3e %.3e  continuity %.1e\n", int(scheme), coarse.velocity,
+               fine.velocity, finest.velocity, coarse.pressure, fine.pressure, finest.pressure, finest.continuity);
         Real const least = scheme == ConvectionScheme::central ? 1.9 : 1.5; // the limiter is first order at extrema
         EXPECT_GE(observed_order(coarse.velocity, fine.velocity), least);
         EXPECT_GE(observed_order(fine.velocity, finest.velocity), least);

@@ -11,7 +11,8 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 using Mobility = std::function<Real(int, int, int)>; // of a cell
 
@@ -104,7 +105,10 @@ int iterations_of(Problem const& problem)
     return report.iterations;
 }
 
-Mobility uniform() { return [](int, int, int) { return Real(1); }; }
+Mobility uniform()
+{
+    return [](int, int, int) { return Real(1); };
+}
 
 /// A bed of mobility 1e-6 with a cavity of mobility 1 along part of the axis, under a hole.
 Mobility cavity_in_bed(int n, Real contrast)
@@ -155,8 +159,9 @@ TEST(PressureSolver, RandomBlocksConverge)
 TEST(PressureSolver, AnyNumberOfCells)
 {
     for (Ends const ends : {Ends::closed, Ends::open_top, Ends::periodic})
-        for (auto const cells : {std::array{12, 12, 6}, std::array{13, 7, 5}, std::array{1, 1, 40}, std::array{33, 1, 17},
-                                 std::array{3, 3, 3}, std::array{2, 1, 1}, std::array{1, 1, 1}}) {
+        for (auto const cells :
+             {std::array{12, 12, 6}, std::array{13, 7, 5}, std::array{1, 1, 40}, std::array{33, 1, 17},
+              std::array{3, 3, 3}, std::array{2, 1, 1}, std::array{1, 1, 1}}) {
             int const count = iterations_of({cells, ends, uniform()});
             printf("%d x %d x %d, ends %d: %d\n", cells[0], cells[1], cells[2], int(ends), count);
             EXPECT_LE(count, 20);

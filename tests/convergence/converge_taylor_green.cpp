@@ -7,7 +7,8 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 constexpr Real length = 2 * 3.14159265358979323846;
 
@@ -34,8 +35,12 @@ VortexErrors run_vortices(int n, int steps, Real nu, bool with_grains)
     settings.convection = ConvectionScheme::central;
     settings.pressure_tolerance = 1e-12;
     FluidCase c = make_fluid_case(settings, with_grains);
-    auto const u = [&](Real t) { return [=](Vec3 x) { return std::cos(x.x) * std::sin(x.y) * std::exp(-2 * nu * t); }; };
-    auto const v = [&](Real t) { return [=](Vec3 x) { return -std::sin(x.x) * std::cos(x.y) * std::exp(-2 * nu * t); }; };
+    auto const u = [&](Real t) {
+        return [=](Vec3 x) { return std::cos(x.x) * std::sin(x.y) * std::exp(-2 * nu * t); };
+    };
+    auto const v = [&](Real t) {
+        return [=](Vec3 x) { return -std::sin(x.x) * std::cos(x.y) * std::exp(-2 * nu * t); };
+    };
     auto const p = [&](Real t) {
         return [=](Vec3 x) { return -(std::cos(2 * x.x) + std::cos(2 * x.y)) / 4 * std::exp(-4 * nu * t); };
     };

@@ -12,7 +12,8 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 FluidCase make_hashed_case(bool with_grains)
 {
@@ -61,7 +62,9 @@ std::string printed_hash(int threads)
 {
     char self[4096] = {};
     if (readlink("/proc/self/exe", self, sizeof self - 1) <= 0) return "";
-    std::string const command = "OMP_NUM_THREADS=" + std::to_string(threads) + " OMP_PROC_BIND=false OMP_WAIT_POLICY=passive '" + self + "' --gtest_filter=FlowHash.Print 2>/dev/null";
+    std::string const command = "OMP_NUM_THREADS=" + std::to_string(threads) +
+                                " OMP_PROC_BIND=false OMP_WAIT_POLICY=passive '" + self +
+                                "' --gtest_filter=FlowHash.Print 2>/dev/null";
     FILE* const pipe = popen(command.c_str(), "r");
     std::string found;
     char line[512];
@@ -91,7 +94,10 @@ struct Save {
 
 struct Load {
     Saved const& saved;
-    void operator()(std::string const& name, FieldView& field) const { Kokkos::deep_copy(field, saved.fields.at(name)); }
+    void operator()(std::string const& name, FieldView& field) const
+    {
+        Kokkos::deep_copy(field, saved.fields.at(name));
+    }
     void operator()(std::string const& name, Real& number) const { number = saved.numbers.at(name); }
 };
 

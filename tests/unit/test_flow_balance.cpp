@@ -7,9 +7,13 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
-Real wave(Vec3 x, Real phase) { return std::sin(900 * x.x + phase) * std::cos(1100 * x.y - phase) + std::sin(700 * x.z + 2 * phase); }
+Real wave(Vec3 x, Real phase)
+{
+    return std::sin(900 * x.x + phase) * std::cos(1100 * x.y - phase) + std::sin(700 * x.z + 2 * phase);
+}
 
 FluidCase make_busy_case(bool periodic)
 {
@@ -48,12 +52,14 @@ GrainShare share_of_grains(FluidCase& c)
     HostField const n = host_copy(c.flow.porosity), drag = host_copy(c.flow.drag);
     GrainShare share;
     for (int axis = 0; axis < 3; ++axis) {
-        HostField const f = host_copy(force.component[axis]), u = host_copy(c.flow.velocity[axis]), b = host_copy(c.flow.drag_velocity[axis]);
+        HostField const f = host_copy(force.component[axis]), u = host_copy(c.flow.velocity[axis]),
+                        b = host_copy(c.flow.drag_velocity[axis]);
         for (int k = 0; k < c.flow.grid.cells[2]; ++k)
             for (int j = 0; j < c.flow.grid.cells[1]; ++j)
                 for (int i = 0; i < c.flow.grid.cells[0]; ++i) {
                     Real const volume = c.flow.grid.cell_volume();
-                    Real const u_cell = (value_of(u, i, j, k) + value_of(u, i + (axis == 0), j + (axis == 1), k + (axis == 2))) / 2;
+                    Real const u_cell =
+                        (value_of(u, i, j, k) + value_of(u, i + (axis == 0), j + (axis == 1), k + (axis == 2))) / 2;
                     Real const stress = (1 - value_of(n, i, j, k)) * value_of(f, i, j, k) * volume;
                     Real const slip = (value_of(drag, i, j, k) * u_cell - value_of(b, i, j, k)) * volume;
                     share.stress[axis] += stress;
@@ -79,7 +85,8 @@ TEST(FlowBalance, MomentumClosesToRoundingInAPeriodicBox)
         Vec3 const boundary = boundary_force(c.flow, c.solver);
         for (int axis = 0; axis < 3; ++axis) {
             Real const gain = (after.momentum[axis] - before[axis]) / dt;
-            Real const expected = boundary[axis] + after.volume * c.flow.body_force[axis] - grains.stress[axis] - grains.drag[axis];
+            Real const expected =
+                boundary[axis] + after.volume * c.flow.body_force[axis] - grains.stress[axis] - grains.drag[axis];
             EXPECT_NEAR(gain, expected, 1e-12 * (grains.size + std::fabs(gain)));
         }
     }
@@ -100,7 +107,8 @@ TEST(FlowBalance, MomentumClosesWithBoundaries)
     Vec3 const boundary = boundary_force(c.flow, c.solver);
     for (int axis = 0; axis < 3; ++axis) {
         Real const gain = (after.momentum[axis] - before[axis]) / dt;
-        Real const expected = boundary[axis] + after.volume * c.flow.body_force[axis] - grains.stress[axis] - grains.drag[axis];
+        Real const expected =
+            boundary[axis] + after.volume * c.flow.body_force[axis] - grains.stress[axis] - grains.drag[axis];
         EXPECT_NEAR(gain, expected, 1e-12 * (grains.size + std::fabs(gain)));
     }
 }

@@ -7,7 +7,8 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 constexpr Real pi = 3.14159265358979323846;
 
@@ -18,7 +19,8 @@ TEST(PatchArea, DiscSharesSumToItsArea)
         Real sum = 0;
         for (int b = 0; b < n; ++b)
             for (int a = 0; a < n; ++a)
-                sum += disc_area_in_rectangle(center, radius, {{Real(a) / n, Real(b) / n}, {Real(a + 1) / n, Real(b + 1) / n}});
+                sum += disc_area_in_rectangle(center, radius,
+                                              {{Real(a) / n, Real(b) / n}, {Real(a + 1) / n, Real(b + 1) / n}});
         EXPECT_NEAR(sum, pi * radius * radius, 1e-14);
     }
 }
@@ -26,7 +28,11 @@ TEST(PatchArea, DiscSharesSumToItsArea)
 TEST(PatchArea, AgreesWithCountingPoints)
 {
     Real const center[2] = {0.1, -0.2}, radius = 1;
-    FaceRectangle const faces[] = {{{0, 0}, {0.7, 0.9}}, {{-1.2, -1.5}, {-0.3, 0.2}}, {{0.5, -2}, {0.8, 2}}, {{-0.2, -0.3}, {0.1, 0.1}}, {{1, 1}, {2, 2}}};
+    FaceRectangle const faces[] = {{{0, 0}, {0.7, 0.9}},
+                                   {{-1.2, -1.5}, {-0.3, 0.2}},
+                                   {{0.5, -2}, {0.8, 2}},
+                                   {{-0.2, -0.3}, {0.1, 0.1}},
+                                   {{1, 1}, {2, 2}}};
     for (FaceRectangle const& face : faces) {
         int const n = 1000;
         int inside = 0;

@@ -7,7 +7,8 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 View1<Real> make_terms(int count)
 {
@@ -30,7 +31,8 @@ TEST(ReproducibleSum, IsAccurateForEveryLength)
             exact += host(i);
             size += std::fabs(host(i));
         }
-        EXPECT_NEAR(reproducible_sum(sums, terms), Real(exact), 1e-15 * Real(size)); // 256 + count / 256 roundings, mostly cancelling
+        EXPECT_NEAR(reproducible_sum(sums, terms), Real(exact),
+                    1e-15 * Real(size)); // 256 + count / 256 roundings, mostly cancelling
     }
 }
 

@@ -6,13 +6,17 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 struct Point {
     Real at, velocity;
 };
-constexpr Point u_of_y[] = {{0.0547, -0.03717}, {0.1016, -0.06434}, {0.1719, -0.10150}, {0.2813, -0.15662}, {0.4531, -0.21090}, {0.5, -0.20581}, {0.6172, -0.13641}, {0.7344, 0.00332}, {0.8516, 0.23151}, {0.9531, 0.68717}};
-constexpr Point v_of_x[] = {{0.0625, 0.09233}, {0.0938, 0.12317}, {0.1563, 0.16077}, {0.2266, 0.17507}, {0.5, 0.05454}, {0.8047, -0.24533}, {0.8594, -0.22445}, {0.9453, -0.10313}};
+constexpr Point u_of_y[] = {{0.0547, -0.03717}, {0.1016, -0.06434}, {0.1719, -0.10150}, {0.2813, -0.15662},
+                            {0.4531, -0.21090}, {0.5, -0.20581},    {0.6172, -0.13641}, {0.7344, 0.00332},
+                            {0.8516, 0.23151},  {0.9531, 0.68717}};
+constexpr Point v_of_x[] = {{0.0625, 0.09233}, {0.0938, 0.12317},  {0.1563, 0.16077},  {0.2266, 0.17507},
+                            {0.5, 0.05454},    {0.8047, -0.24533}, {0.8594, -0.22445}, {0.9453, -0.10313}};
 
 /// Value on the centre line at distance s along it, from the values at the centres of its cells.
 Real interpolated(std::function<Real(int)> const& value, int n, Real s)
@@ -38,9 +42,11 @@ TEST(Cavity, AgreesWithGhiaAtReynolds100)
     HostField const u = host_copy(c.flow.velocity[0]), v = host_copy(c.flow.velocity[1]);
     Real worst = 0;
     for (Point const& point : u_of_y)
-        worst = std::fmax(worst, std::fabs(interpolated([&](int j) { return value_of(u, n / 2, j, 0); }, n, point.at) - point.velocity));
+        worst = std::fmax(worst, std::fabs(interpolated([&](int j) { return value_of(u, n / 2, j, 0); }, n, point.at) -
+                                           point.velocity));
     for (Point const& point : v_of_x)
-        worst = std::fmax(worst, std::fabs(interpolated([&](int i) { return value_of(v, i, n / 2, 0); }, n, point.at) - point.velocity));
+        worst = std::fmax(worst, std::fabs(interpolated([&](int i) { return value_of(v, i, n / 2, 0); }, n, point.at) -
+                                           point.velocity));
     printf("cavity: largest error %.4f, flow through walls %.1e\n", worst, report.inflow);
     EXPECT_LT(worst, 0.012); // of the lid's speed, at 32 x 32; second order from there
     EXPECT_EQ(report.inflow + report.outflow, 0);

@@ -8,7 +8,8 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 constexpr Real height = 1e-3, push = 100; // m, Pa/m
 
@@ -54,12 +55,16 @@ TEST(Channel, PoiseuilleDoesNotDependOnPorosity)
 
 TEST(Channel, BrinkmanIsSecondOrder)
 {
-    struct Bed { Real drag; int cells; };
+    struct Bed {
+        Real drag;
+        int cells;
+    };
     for (Bed const bed : {Bed{1e5, 64}, Bed{1e6, 200}}) { // 4, then 8 cells per 1/lambda
         Real const largest = 0.41 * push / bed.drag;
-        FieldErrors const coarse = channel_errors(bed.cells, 0.41, bed.drag), fine = channel_errors(2 * bed.cells, 0.41, bed.drag);
-        printf("Brinkman B %g: rms %.2e %.2e, at the wall %.2e %.2e of the largest velocity\n", bed.drag, coarse.rms / largest,
-               fine.rms / largest, coarse.largest / largest, fine.largest / largest);
+        FieldErrors const coarse = channel_errors(bed.cells, 0.41, bed.drag),
+                          fine = channel_errors(2 * bed.cells, 0.41, bed.drag);
+        printf("Brinkman B %g: rms %.2e %.2e, at the wall %.2e %.2e of the largest velocity\n", bed.drag,
+               coarse.rms / largest, fine.rms / largest, coarse.largest / largest, fine.largest / largest);
         EXPECT_LT(fine.rms, 1e-3 * largest);
         EXPECT_GE(observed_order(coarse.rms, fine.rms), 1.9);
     }
@@ -98,7 +103,8 @@ TEST(UniformFlow, RelaxesByDragForAnyStep)
             for (int s = 0; s < 5; ++s) {
                 c.step(dt);
                 expected = (expected + dt * push / 998.2) / (1 + dt * drag / (998.2 * 0.41));
-                Real const error = errors_of(c.flow.grid, c.flow.velocity[0], 0, [&](Vec3) { return expected; }).largest;
+                Real const error =
+                    errors_of(c.flow.grid, c.flow.velocity[0], 0, [&](Vec3) { return expected; }).largest;
                 ASSERT_LT(error, 1e-12 * std::fabs(expected));
             }
             if (drag >= 1e5 && dt == 1.0) { EXPECT_NEAR(expected, 0.41 * push / drag, 1e-9 * expected); }
@@ -125,7 +131,8 @@ TEST(Darcy, PressureGradientDoesNotDependOnTheStep)
     for (Real const dt : {1e-6, 1e-3, 1.0, 1e3}) {
         FluidSettings settings = box_settings({2, 3, 9}, {2e-3, 3e-3, 9e-3});
         add_periodic_axis(settings, 0);
-        for (Face const face : {Face::y_lower, Face::y_upper}) settings.patches.push_back(face_patch(face, PatchKind::slip));
+        for (Face const face : {Face::y_lower, Face::y_upper})
+            settings.patches.push_back(face_patch(face, PatchKind::slip));
         settings.patches.push_back(face_patch(Face::z_lower, PatchKind::velocity, {0, 0, U}));
         settings.patches.push_back(face_patch(Face::z_upper, PatchKind::pressure, {}, 101325));
         settings.porosity = n;

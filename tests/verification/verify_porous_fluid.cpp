@@ -7,7 +7,8 @@
 
 using namespace arenite;
 
-namespace {
+namespace
+{
 
 constexpr Real U = 1e-4; // superficial velocity, m/s
 
@@ -76,7 +77,10 @@ TEST(MovingPorosity, MassClosesInEveryStep)
     Kokkos::deep_copy(c.flow.drag, 1e5);
     Real const dt = 1e-4, volume = c.flow.grid.cell_volume();
     auto const porosity = [&](Real t) {
-        return [=](Vec3 x) { return 0.6 + 0.2 * std::sin(900 * x.x + 50 * t) * std::cos(700 * x.z - 80 * t) + 0.1 * std::sin(200 * t) * x.z / 8e-3; };
+        return [=](Vec3 x) {
+            return 0.6 + 0.2 * std::sin(900 * x.x + 50 * t) * std::cos(700 * x.z - 80 * t) +
+                   0.1 * std::sin(200 * t) * x.z / 8e-3;
+        };
     };
     set_field(c.flow.grid, c.flow.porosity, -1, porosity(0));
     Kokkos::deep_copy(c.flow.porosity_previous, c.flow.porosity);
