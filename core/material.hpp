@@ -49,7 +49,7 @@ PairTable upload(std::vector<PairConstants> const& pairs);
 /// beta of paper eq 33 with the square that its print lost: -ln e / sqrt(ln^2 e + pi^2).
 Real damping_ratio(Real restitution);
 
-/// pi R sqrt(rho/G) / (0.1631 nu + 0.8766), s (paper eq 37 with G = E/(2(1+nu))).
+/// pi R sqrt(rho/G) / (0.163 nu + 0.8766), s (paper eqs 37, 38 with G = E/(2(1+nu))).
 Real rayleigh_time(MaterialSettings const& material, Real radius);
 
 } // namespace arenite

@@ -93,12 +93,13 @@ KOKKOS_FUNCTION void interpolate_at(GrainWeights const& weights, int entry, Tabl
         int const k = stencil.cell(2, k0, c);
         for (int b = 0; b < stencil.slots[1]; ++b) {
             int const row = stencil.grid.cells[0] * (stencil.cell(1, j0, b) + stencil.grid.cells[1] * k);
-            Real const wyz = wy[b] * wz[c];
+            Real along_x[components] = {};
             for (int a = 0; a < stencil.slots[0]; ++a) {
-                Real const w = wyz * wx[a];
                 Real const* const values = &cell(row + stencil.cell(0, i0, a), 0);
-                for (int q = 0; q < components; ++q) value[q] += w * values[q];
+                for (int q = 0; q < components; ++q) along_x[q] += wx[a] * values[q];
             }
+            Real const wyz = wy[b] * wz[c];
+            for (int q = 0; q < components; ++q) value[q] += wyz * along_x[q];
         }
     }
 }

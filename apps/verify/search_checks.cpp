@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The contact search: every pair once, across faces too, and nothing that depends on when or how it is done.
+#include "apps/verify/checks.hpp"
+#include "apps/verify/packs.hpp"
+
+#include <fmt/format.h>
+
+namespace arenite {
+
+std::vector<VerifyCase> check_pairs_found()
+{
+    std::vector<VerifyCase> rows;
+    for (Real const ratio : {1.0, 2.4, 10.0})
+        for (int periodic_axes = 0; periodic_axes <= 3; ++periodic_axes) {
+            PackSettings pack;
+            pack.count = 800;
+            pack.size_ratio = ratio;
+            pack.largest = ratio > 5 ? 2.5e-3 : 1e-3;
+            pack.overhang = 2e-3;
+            SystemSettings settings;
+            settings.grains = random_pack(pack);
+            settings.materials = {sand()};
+            settings.box.upper = {pack.box, pack.box, pack.box};
+            for (int axis = 0; axis < periodic_axes; ++axis) settings.box.periodic[axis] = true;
+            settings.skin = 1e-4;
+            GrainSystem const system = make_system(settings);
+            rows.push_back(compare_error({fmt::format("800 grains, size ratio {}, {} periodic axes", ratio, periodic_axes),
+                                          "wrong pairs", "every two grains"},
+                                         wrong_pairs(system), 0));
+        }
+    return rows;
+}
+
+namespace {
+
+/// Two rough grains that hold on to each other and travel along x, in a box that is closed or periodic.
+std::vector<Grain> travel(bool periodic)
+{
+    constexpr Real diameter = 0.23e-3, edge = 1e-3;
+    SystemSettings settings;
+    settings.materials = {with(sand(), 0.8, 0.2)};
+    settings.contact = contact_settings(NormalLaw::jkr, DampingLaw::restitution, TangentialLaw::secant);
+    settings.grains = {
+        make_grain(0, {0.8e-3, 0.5e-3, 0.5e-3}, diameter, {20, 0.2, 0}, {0, 100, 2000}),
+        make_grain(1, {0.8e-3 + 0.999 * diameter, 0.5e-3, 0.5e-3}, diameter, {20, -0.2, 0.1}, {300, 0, 2000})};
+    settings.box.upper = {edge, edge, edge};
+    settings.box.periodic[0] = periodic;
+    settings.skin = 1e-5;
+    settings.dt = 1e-8;
+    GrainSystem system = make_system(settings);
+    advance(system, 2000); // 0.4 mm: both cross the face at 1 mm
+    return grains_by_id(system);
+}
+
+} // namespace
+
+std::vector<VerifyCase> check_periodic_crossing()
+{
+    std::vector<Grain> const open = travel(false), wrapped = travel(true);
+    constexpr Real edge = 1e-3;
+    Real place = 0, motion = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        Vec3 offset = open[i].position - wrapped[i].position;
+        offset.x -= edge * std::round(offset.x / edge);
+        place = std::fmax(place, norm(offset) / edge);
+        motion = std::fmax(motion, norm(open[i].velocity - wrapped[i].velocity) / norm(open[i].velocity));
+        motion = std::fmax(motion, norm(open[i].spin - wrapped[i].spin) / norm(open[i].spin));
+    }
+    bool const crossed = wrapped[0].position.x < edge / 2 && wrapped[1].position.x < edge / 2;
+    return {expect_true({"bonded pair crosses a periodic face", "crossed", "set-up"}, crossed),
+            compare_error({"bonded pair crosses a periodic face", "position / edge", "the same pair in the open"}, place, 1e-12),
+            compare_error({"bonded pair crosses a periodic face", "velocity and spin", "the same pair in the open"}, motion, 1e-12)};
+}
+
+namespace {
+
+SystemSettings rough_pack(bool periodic)
+{
+    PackSettings pack;
+    pack.count = 300;
+    pack.box = 1.5e-3;
+    pack.largest = 0.22e-3;
+    pack.size_ratio = 2.4;
+    pack.speed = 3;
+    pack.spin = 3000;
+    pack.lattice = true;
+    SystemSettings settings;
+    settings.grains = random_pack(pack);
+    settings.materials = {with(sand(), 0.8, 0.3)};
+    settings.contact = contact_settings(NormalLaw::jkr, DampingLaw::restitution, TangentialLaw::secant);
+    settings.box.upper = {pack.box, pack.box, pack.box};
+    for (bool& axis : settings.box.periodic) axis = periodic;
+    settings.skin = 2e-5;
+    settings.dt = 2e-8;
+    return settings;
+}
+
+std::uint64_t hash_after(SystemSettings const& settings, int steps)
+{
+    GrainSystem system = make_system(settings);
+    advance(system, steps);
+    return state_hash(system);
+}
+
+} // namespace
+
+std::vector<VerifyCase> check_independence()
+{
+    constexpr int steps = 600;
+    std::vector<VerifyCase> rows;
+    for (bool const periodic : {false, true}) {
+        SystemSettings const reference = rough_pack(periodic);
+        std::uint64_t const hash = hash_after(reference, steps);
+        std::string const name = fmt::format("300 rough adhering grains, {} box", periodic ? "periodic" : "open");
+        auto const same = [&](std::string const& quantity, SystemSettings const& changed) {
+            rows.push_back(expect_true({name, quantity, "the same run, bit for bit"}, hash_after(changed, steps) == hash));
+        };
+        SystemSettings changed = reference;
+        changed.skin *= 2.5;
+        same("bits with 2.5 times the skin", changed);
+        changed = reference;
+        changed.rebuild_interval = 7;
+        same("bits with a search every 7 steps", changed);
+        changed = reference;
+        changed.grains = shuffled(changed.grains, 5);
+        same("bits with rows shuffled", changed);
+        changed = reference;
+        changed.fused = true;
+        same("bits with kick and drift fused", changed);
+    }
+    return rows;
+}
+
+} // namespace arenite

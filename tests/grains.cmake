@@ -1,0 +1,21 @@
+# Tests of the grains: contact laws, search, integrator. Pairs and small packs gain nothing from threads, so
+# these run on one; the determinism tests set their own number.
+arenite_test(test_jkr unit unit/test_jkr.cpp LINK arenite_verify)
+arenite_test(test_material unit unit/test_material.cpp LINK arenite_verify)
+arenite_test(test_tangential unit unit/test_tangential.cpp LINK arenite_verify)
+arenite_test(test_contact_forces unit unit/test_contact_forces.cpp LINK arenite_verify)
+arenite_test(test_contact_search unit unit/test_contact_search.cpp LINK arenite_verify)
+arenite_test(test_integrate unit unit/test_integrate.cpp LINK arenite_verify)
+arenite_test(test_verify unit unit/test_verify.cpp LINK arenite_verify)
+arenite_test(verify_grains verification verification/verify_grains.cpp LINK arenite_verify)
+set_tests_properties(test_jkr test_material test_tangential test_contact_forces test_contact_search test_integrate
+  test_verify verify_grains PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+
+add_executable(hash_pack determinism/hash_pack.cpp)
+target_link_libraries(hash_pack PRIVATE arenite_verify)
+foreach(box open periodic)
+  add_test(NAME threads_give_equal_bits_${box}
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:hash_pack> -D ARGUMENTS=${box}
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/determinism/compare_threads.cmake)
+  set_tests_properties(threads_give_equal_bits_${box} PROPERTIES LABELS determinism TIMEOUT 300)
+endforeach()

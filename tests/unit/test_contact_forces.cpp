@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// The contact kernel on pairs of grains: symmetry, hard geometry, images, a deforming box.
+#include "apps/verify/grain_system.hpp"
+
+#include <gtest/gtest.h>
+
+namespace arenite {
+namespace {
+
+SystemSettings rough_pair(Grain const& a, Grain const& b)
+{
+    SystemSettings settings;
+    settings.materials = {with(sand(), 0.8, 0.3)};
+    settings.contact = contact_settings(NormalLaw::jkr, DampingLaw::restitution, TangentialLaw::secant);
+    settings.grains = {a, b};
+    settings.skin = 2e-5;
+    settings.dt = 1e-8;
+    return settings;
+}
+
+struct Loads {
+    Vec3 force[2], torque[2];
+};
+
+/// Forces and torques by id after one evaluation as of a step of dt.
+Loads loads_of(SystemSettings const& settings)
+{
+    GrainSystem system = make_system(settings);
+    evaluate(system);
+    StepSettings step;
+    step.dt = settings.dt;
+    kick(system.integrator, step, system.particles, system.contacts, {});
+    EXPECT_FALSE(read_health(system.integrator) & force_is_not_finite);
+    auto const force = Kokkos::create_mirror_view_and_copy(HostSpace(), system.particles.force);
+    auto const torque = Kokkos::create_mirror_view_and_copy(HostSpace(), system.particles.torque);
+    auto const id = Kokkos::create_mirror_view_and_copy(HostSpace(), system.particles.id);
+    Loads loads;
+    for (int row = 0; row < 2; ++row) {
+        loads.force[id(row)] = vector_of(force, row);
+        loads.torque[id(row)] = vector_of(torque, row);
+    }
+    return loads;
+}
+
+Grain first() { return make_grain(0, {0, 0, 0}, 0.2e-3, {0.1, 0.2, -0.1}, {300, -200, 500}); }
+Grain second() { return make_grain(1, {0.2e-3, 0.07e-3, 0}, 0.23e-3, {-0.2, 0.1, 0}, {0, 900, -100}); }
+
+void expect_equal(Loads const& a, Loads const& b, Real tolerance)
+{
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_LE(norm(a.force[i] - b.force[i]), tolerance * norm(a.force[i]));
+        EXPECT_LE(norm(a.torque[i] - b.torque[i]), tolerance * norm(a.torque[i]));
+    }
+}
+
+TEST(ContactForces, AreOppositeToTheLastBit)
+{
+    Loads const loads = loads_of(rough_pair(first(), second()));
+    EXPECT_GT(norm(loads.force[0]), 0);
+    EXPECT_TRUE(loads.force[0] == -loads.force[1]);
+    EXPECT_GT(norm(loads.torque[0]), 0);
+}
+
+TEST(ContactForces, DoNotKnowWhichGrainIsFirst)
+{
+    Grain a = first(), b = second();
+    Loads const straight = loads_of(rough_pair(a, b));
+    std::swap(a.id, b.id);
+    Loads const swapped = loads_of(rough_pair(a, b));
+    constexpr Real rounding = 1e-10; // of overlap / radius 1e-3 and of the jump at the touch
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_LE(norm(straight.force[i] - swapped.force[1 - i]), rounding * norm(straight.force[i]));
+        EXPECT_LE(norm(straight.torque[i] - swapped.torque[1 - i]), rounding * norm(straight.torque[i]));
+    }
+}
+
+TEST(ContactForces, ReachAcrossPeriodicFaces)
+{
+    Loads const inside = loads_of(rough_pair(first(), second()));
+    SystemSettings settings = rough_pair(first(), second());
+    settings.box.lower = {-0.1e-3, -1e-3, -1e-3};
+    settings.box.upper = {0.9e-3, 1e-3, 1e-3};
+    settings.box.periodic[0] = settings.box.periodic[1] = true;
+    settings.grains[1].position += Vec3{-1e-3, 2e-3, 0};
+    expect_equal(loads_of(settings), inside, 1e-9); // the positions' rounding over an overlap of 1e-6 m
+}
+
+// Grains ride on the box's flow: what a pair feels must not depend on where in the box it is.
+TEST(ContactForces, InADeformingBoxAreTheSameEverywhere)
+{
+    SystemSettings settings = rough_pair(first(), second());
+    settings.box.upper = {1e-3, 1e-3, 1e-3};
+    settings.box.strain_rate = {-200, 150, 300};
+    for (bool& axis : settings.box.periodic) axis = true;
+    Loads loads[2];
+    for (int n = 0; n < 2; ++n) {
+        Vec3 const corner = n == 0 ? Vec3{0.3e-3, 0.3e-3, 0.3e-3} : Vec3{0.9e-3, 0.98e-3, 0.3e-3};
+        settings.grains[0].position = first().position + corner;
+        settings.grains[1].position = second().position + corner;
+        loads[n] = loads_of(settings);
+    }
+    expect_equal(loads[1], loads[0], 1e-9);
+    settings.box.strain_rate = {};
+    EXPECT_GT(norm(loads_of(settings).force[0] - loads[0].force[0]), 1e-6 * norm(loads[0].force[0])); // and they feel it
+}
+
+TEST(ContactForces, ConcentricGrainsPartAlongZ)
+{
+    for (Real const diameter : {0.2e-3, 0.1e-3}) {
+        Grain a = make_grain(0, {1e-3, 0, 0}, 0.2e-3), b = make_grain(1, {1e-3, 0, 0}, diameter);
+        for (NormalLaw const law : {NormalLaw::hertz, NormalLaw::jkr}) {
+            SystemSettings settings = rough_pair(a, b);
+            settings.contact.normal = law;
+            Loads const loads = loads_of(settings);
+            EXPECT_GT(std::fabs(loads.force[0].z), 0);
+            EXPECT_EQ(loads.force[0].x, 0);
+            EXPECT_TRUE(loads.force[0] == -loads.force[1]);
+        }
+    }
+}
+
+// A grain inside a larger one: arms of (r_i^2 - r_j^2) / distance would grow without bound.
+TEST(ContactForces, ArmsStayWithinTheGrains)
+{
+    Grain const large = make_grain(0, {0, 0, 0}, 1e-3, {}, {0, 0, 1e3}), small = make_grain(1, {1e-6, 0, 0}, 0.1e-3, {0, 1, 0});
+    Loads const loads = loads_of(rough_pair(large, small));
+    EXPECT_LE(norm(loads.torque[0]), 0.5e-3 * norm(loads.force[0]) * (1 + 1e-12));
+    EXPECT_LE(norm(loads.torque[1]), 0.05e-3 * norm(loads.force[1]) * (1 + 1e-12));
+}
+
+TEST(ContactForces, SeparationForgetsTheSpring)
+{
+    SystemSettings settings = rough_pair(make_grain(0, {0, 0, 0}, 0.2e-3), make_grain(1, {0.1999e-3, 0, 0}, 0.2e-3, {}, {0, 0, 5e3}));
+    settings.contact.normal = NormalLaw::hertz;
+    GrainSystem system = make_system(settings);
+    evaluate(system);
+    EXPECT_NE(listed_pairs(system)[0].spring[1], 0);
+    place(system, 1, {0.201e-3, 0, 0}, {}, {});
+    evaluate(system);
+    ListedPair const pair = listed_pairs(system)[0];
+    EXPECT_FALSE(pair.touching);
+    for (Real const value : pair.spring) EXPECT_EQ(value, 0);
+}
+
+} // namespace
+} // namespace arenite

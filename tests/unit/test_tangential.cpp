@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// The tangential law without kernels: transport, slip of rigid turns, limits, and the work of shear cycles.
+#include "apps/verify/materials.hpp"
+#include "kernels/contact/contact_laws.hpp"
+
+#include <gtest/gtest.h>
+
+namespace arenite {
+namespace {
+
+TEST(Tangential, TransportKeepsTheLengthAndThePlane)
+{
+    Vec3 const before = normalized({1, 2, 3});
+    Vec3 const spring = 1e-7 * normalized(cross(before, {0, 0, 1}));
+    for (Real const angle : {1e-9, 1e-4, 0.5, 2.0}) {
+        Vec3 const after = normalized(before + std::tan(angle / 2) * (normalized(cross(before, {1, 0, 0})) + 0.3 * normalized(spring)));
+        Vec3 const carried = transport_spring(spring, before, after, 0);
+        EXPECT_NEAR(norm(carried) / norm(spring), 1, 1e-14);
+        EXPECT_NEAR(dot(carried, after) / norm(spring), 0, 1e-14);
+        Vec3 const back = transport_spring(carried, after, before, 0);
+        EXPECT_NEAR(norm(back - spring) / norm(spring), 0, 1e-14);
+    }
+}
+
+TEST(Tangential, TwistTurnsTheSpringAboutTheNormal)
+{
+    Vec3 const normal{0, 0, 1}, spring{1e-7, 0, 0};
+    Vec3 const turned = transport_spring(spring, normal, normal, 1e-3);
+    EXPECT_NEAR(turned.x / 1e-7, std::cos(1e-3), 1e-15);
+    EXPECT_NEAR(turned.y / 1e-7, std::sin(1e-3), 1e-15);
+}
+
+TEST(Tangential, RigidTurnDoesNotSlip)
+{
+    constexpr Real dt = 1e-8, distance = 0.23e-3;
+    for (Real const angle : {1e-4, 1e-2}) {
+        Vec3 const axis = normalized({0.6, -0.3, 0.8}), before = normalized({1, 2, 3});
+        Real const c = std::cos(angle), s = std::sin(angle);
+        Vec3 const after = c * before + s * cross(axis, before) + ((1 - c) * dot(axis, before)) * axis;
+        Vec3 const spin = (angle / dt) * axis;
+        Vec3 const velocity = surface_velocity((distance / dt) * (after - before), distance * step_spin(spin, dt), before, after);
+        Vec3 const slip = velocity - dot(velocity, after) * after;
+        // The series of the tangent leaves angle^5 / 120; the difference of the normals leaves its rounding.
+        EXPECT_LT(norm(slip) * dt / distance, std::pow(angle, 5) / 100 + 1e-15);
+    }
+}
+
+PairConstants rough_pair(TangentialLaw law, FrictionLimit limit = FrictionLimit::thornton)
+{
+    ContactSettings settings = contact_settings(NormalLaw::modified_jkr, DampingLaw::none, law);
+    settings.friction_limit = limit;
+    return make_pair(with(sand(), 1, 0.2), with(sand(), 1, 0.2), settings);
+}
+
+TEST(Tangential, LimitsByName)
+{
+    NormalResponse dry, adhering;
+    adhering.pull_off_force = 3;
+    PairConstants const thornton = rough_pair(TangentialLaw::secant), paper = rough_pair(TangentialLaw::secant, FrictionLimit::paper);
+    EXPECT_DOUBLE_EQ(friction_limit(thornton, dry, 10), 2);
+    EXPECT_DOUBLE_EQ(friction_limit(thornton, dry, -10), 0);
+    EXPECT_DOUBLE_EQ(friction_limit(thornton, adhering, 0), 0.2 * 6); // a bonded grain at rest carries shear
+    EXPECT_DOUBLE_EQ(friction_limit(thornton, adhering, -3), 0.2 * 3);
+    EXPECT_DOUBLE_EQ(friction_limit(paper, adhering, 0), 0);
+    EXPECT_DOUBLE_EQ(friction_limit(paper, adhering, -3), 0.2 * 3);
+    EXPECT_DOUBLE_EQ(friction_limit(paper, dry, -3), 0);
+}
+
+/// Work [k_high xi^2] that shearing by xi at one overlap, changing the overlap and shearing back takes.
+Real cycle_work(TangentialLaw law, bool shear_while_pressed)
+{
+    constexpr Real low = 1e-8, high = 4e-8, slip = 1e-12; // contact radii 1 : 2
+    PairConstants pair = rough_pair(law);
+    pair.friction = 1e9; // sticks
+    ContactScale const scale = contact_scale(sand(), 0.115e-3, 0.115e-3);
+    Real const out = shear_while_pressed ? high : low, back = shear_while_pressed ? low : high;
+    ContactState state;
+    Real work = 0;
+    auto const move = [&](Real overlap, Real distance) {
+        Real const before = -CementedSand{}({{0, 0, 1}, overlap, {}, scale}, pair, state, 1).x;
+        Real const after = -CementedSand{}({{0, 0, 1}, overlap, {distance, 0, 0}, scale}, pair, state, 1).x;
+        work += (before + after) / 2 * distance;
+    };
+    move(out, slip);
+    move(back, -slip);
+    Real const stiffness = 8 * pair.effective_shear_modulus * hertz_response(high, scale.effective_radius, 1).contact_radius;
+    return work / (stiffness * slip * slip);
+}
+
+// k(high) = 2 k(low). A closed cycle that gives work back (< 0) makes energy from nothing.
+TEST(Tangential, WorkOfShearCycles)
+{
+    constexpr Real rounding = 1e-10;
+    EXPECT_NEAR(cycle_work(TangentialLaw::secant, true), 0.25, rounding);       // (k_high - k_low) / 2
+    EXPECT_NEAR(cycle_work(TangentialLaw::secant, false), -0.25, rounding);     // makes energy
+    EXPECT_NEAR(cycle_work(TangentialLaw::incremental, false), 0.25, rounding);
+    EXPECT_NEAR(cycle_work(TangentialLaw::incremental, true), -0.25, rounding); // makes energy, and keeps a force
+    EXPECT_GT(cycle_work(TangentialLaw::rescaled, true), 0.25);
+    EXPECT_NEAR(cycle_work(TangentialLaw::rescaled, false), -0.25, rounding);   // rescales on unloading only
+}
+
+TEST(Tangential, DryPairsFeelTheSameUnderEveryLaw)
+{
+    PairConstants const pair = make_pair(with(sand(), 0.8, 0.2), with(sand(), 0.8, 0.2),
+                                         contact_settings(NormalLaw::hertz, DampingLaw::restitution, TangentialLaw::secant));
+    ContactGeometry const contact{normalized({1, 1, 0}), 1e-7, {0.1, 0.3, -0.2}, contact_scale(sand(), 1e-4, 2e-4)};
+    ContactState dry, cemented;
+    EXPECT_TRUE(DrySand{}(contact, pair, dry, 1e-8) == CementedSand{}(contact, pair, cemented, 1e-8));
+    EXPECT_TRUE(dry.spring == cemented.spring);
+}
+
+TEST(Tangential, TheMenuPicksTheCheapestLaw)
+{
+    PairConstants smooth, rough, sticky, both;
+    rough.friction = both.friction = 0.2;
+    sticky.surface_energy = both.surface_energy = 30;
+    EXPECT_TRUE(std::holds_alternative<SmoothSand>(make_contact_law({smooth})));
+    EXPECT_TRUE(std::holds_alternative<DrySand>(make_contact_law({rough, smooth, smooth, smooth})));
+    EXPECT_TRUE(std::holds_alternative<SmoothCementedSand>(make_contact_law({sticky})));
+    EXPECT_TRUE(std::holds_alternative<CementedSand>(make_contact_law({smooth, rough, rough, sticky})));
+}
+
+} // namespace
+} // namespace arenite
