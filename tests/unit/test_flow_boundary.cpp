@@ -105,6 +105,26 @@ TEST(FlowBoundary, RefusesWhatMakesNoSense)
     EXPECT_THROW(make_boundary(piston, flow.grid), InputError);
 }
 
+// Half way between the halo's value and the first cell's lies the wall's velocity; a slip wall copies.
+TEST(FlowBoundary, HaloMirrorsThroughTheWall)
+{
+    FluidSettings settings = box_settings({4, 4, 4}, {1, 1, 1});
+    settings.patches.push_back(face_patch(Face::y_upper, PatchKind::wall, {3, 0, 0}));
+    settings.patches.push_back(face_patch(Face::y_lower, PatchKind::slip));
+    add_periodic_axis(settings, 2);
+    FluidCase c = make_fluid_case(settings, false);
+    auto const profile = [](Vec3 x) { return 1 + x.y + std::sin(x.x); };
+    set_field(c.flow.grid, c.flow.velocity[0], 0, profile);
+    fill_halos(c.flow, c.boundary);
+    HostField const u = host_copy(c.flow.velocity[0]);
+    for (int i = 0; i <= 4; ++i) {
+        EXPECT_NEAR((value_of(u, i, 3, 1) + value_of(u, i, 4, 1)) / 2, 3, 1e-14);
+        EXPECT_EQ(value_of(u, i, -1, 1), value_of(u, i, 0, 1));
+        EXPECT_EQ(value_of(u, i, 2, -1), value_of(u, i, 2, 3));
+    }
+    EXPECT_NEAR(value_of(u, -1, 2, 1), 2 * value_of(u, 0, 2, 1) - value_of(u, 1, 2, 1), 1e-14);
+}
+
 TEST(FlowBoundary, ClosedBoxThatGainsPorosityStops)
 {
     FluidSettings settings = box_settings({4, 4, 4}, {1, 1, 1});
