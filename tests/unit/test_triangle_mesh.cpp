@@ -135,6 +135,23 @@ TEST(TriangleMesh, DiagonalsEdgesAndCornersAreCountedOnce)
     EXPECT_NEAR(touch(box, {1.05, 1.05, 1.05}, radius).nearest.distance, 0.05 * std::sqrt(3.), 1e-14);
 }
 
+TEST(TriangleMesh, FlatSeamsAreTightInAnyDirection)
+{
+    // Points that rounding puts on one side of a turned seam or the other: one contact each, never none or two.
+    std::mt19937 random(6);
+    std::uniform_real_distribution<Real> unit(0, 1);
+    for (int trial = 0; trial < 200; ++trial) {
+        Vec3 const a = normalized(Vec3{unit(random), unit(random), unit(random)});
+        Vec3 const b = normalized(cross(a, Vec3{unit(random), -unit(random), 1})), n = cross(a, b);
+        Vec3 const p{unit(random), unit(random), unit(random)}, q = p + a, r = p + a + b, s = p + b;
+        Mesh const square({{{p, q, r}}, {{p, r, s}}});
+        for (int k = 0; k < 50; ++k) {
+            Vec3 const x = p + unit(random) * (r - p) + 0.05 * unit(random) * n;
+            EXPECT_EQ(touch(square, x, 0.1).count, 1);
+        }
+    }
+}
+
 TEST(TriangleMesh, ConcaveCornersTouchEveryFaceOnce)
 {
     Mesh const box(box_mesh({-1, -1, -1}, {1, 1, 1}, true));
