@@ -3,8 +3,10 @@
 
 #include <Kokkos_Sort.hpp>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 /// Mixes the bits of an id (finaliser of SplitMix64), so that sums of them tell sets apart.
 KOKKOS_FUNCTION std::uint64_t mixed(GrainId id)
@@ -28,10 +30,8 @@ KOKKOS_FUNCTION bool contains(View1<GrainId> const& sorted, GrainId id)
     std::size_t first = 0, last = sorted.extent(0);
     while (first < last) {
         std::size_t const middle = (first + last) / 2;
-        if (sorted(middle) < id)
-            first = middle + 1;
-        else
-            last = middle;
+        if (sorted(middle) < id) first = middle + 1;
+        else last = middle;
     }
     return first < sorted.extent(0) && sorted(first) == id;
 }

@@ -6,7 +6,8 @@
 
 #include "fluid/deposit.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 struct CoupledSet {
     int count = -1;           // -1: no step was made yet

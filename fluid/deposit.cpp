@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
-constexpr int grains_per_bin = 8;               // short enough for an insertion sort
-constexpr long long partial_limit = 8'000'000;  // reals (64 MB) of partial sums held at once
+constexpr int grains_per_bin = 8;              // short enough for an insertion sort
+constexpr long long partial_limit = 8'000'000; // reals (64 MB) of partial sums held at once
 
 /// Integral of 15/16 (1 - s^2)^2 from -1 to s, 0 and 1 beyond the support.
 KOKKOS_FUNCTION Real kernel_integral(Real s)
@@ -48,10 +50,8 @@ KOKKOS_FUNCTION int start_cell(DepositStencil const& stencil, int axis, Real sca
 KOKKOS_FUNCTION int folded(int index, int cells, bool periodic)
 {
     while (index < 0 || index >= cells) {
-        if (periodic)
-            index += index < 0 ? cells : -cells;
-        else
-            index = index < 0 ? -1 - index : 2 * cells - 1 - index;
+        if (periodic) index += index < 0 ? cells : -cells;
+        else index = index < 0 ? -1 - index : 2 * cells - 1 - index;
     }
     return index;
 }
@@ -68,7 +68,7 @@ KOKKOS_FUNCTION void write_axis_weights(DepositStencil const& stencil, int axis,
     for (int index = first; index <= last; ++index) {
         Real const above = index < last ? kernel_integral((index + 1 - scaled) * cells_per_radius) : Real(1);
         int slot = folded(index, cells, periodic) - start;
-        if (slot < 0) slot += cells; // the block reaches over the end of a periodic box
+        if (slot < 0) slot += cells;                         // the block reaches over the end of a periodic box
         weight[slot] += Kokkos::max(Real(0), above - below); // rounding may make it -1e-17
         below = above;
     }
@@ -87,7 +87,8 @@ View1<int> bin_numbers(DepositStencil const& stencil, RecordView const& position
                 if (scaled < 0) return;
                 Real const fraction = scaled - Kokkos::floor(scaled);
                 block = block * stencil.starts[axis] + start_cell(stencil, axis, scaled);
-                inner = inner * bins_per_axis + Kokkos::min(static_cast<int>(fraction * bins_per_axis), bins_per_axis - 1);
+                inner =
+                    inner * bins_per_axis + Kokkos::min(static_cast<int>(fraction * bins_per_axis), bins_per_axis - 1);
             }
             bin(row) = block * bins_per_axis * bins_per_axis * bins_per_axis + inner;
         });
@@ -114,7 +115,7 @@ void write_weights(GrainWeights const& weights, RecordView const& position, View
 struct Piece {
     int start = 0; // along x
     int group = 0;
-    int b = 0, c = 0;   // slots of y and z
+    int b = 0, c = 0;     // slots of y and z
     int sy = -1, sz = -1; // start cells of y and z, -1: nothing comes from there
 };
 
@@ -167,16 +168,17 @@ KOKKOS_FUNCTION void add_pieces(DepositStencil const& stencil, View1<Real> const
             int const start = stencil.start(0, i, slot);
             if (start < 0) continue;
             std::size_t const piece =
-                ((static_cast<std::size_t>(row) * offsets + offset) * stencil.starts[0] + start) * stencil.groups + slot / group;
+                ((static_cast<std::size_t>(row) * offsets + offset) * stencil.starts[0] + start) * stencil.groups +
+                slot / group;
             Real const* const values = &partial(piece * group * components) + slot % group * components;
             for (int q = 0; q < components; ++q) total[q] += values[q];
         }
 }
 
 /// Two passes over some planes of cells: the pieces, then the cells.
-template <int components>
-void deposit_planes(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int first_plane,
-                    int planes, View1<Real> const& partial)
+template <int components> void deposit_planes(GrainWeights const& weights, TableView const& quantity,
+                                              TableView const& cell, int first_plane, int planes,
+                                              View1<Real> const& partial)
 {
     DepositStencil const stencil = weights.stencil;
     int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
@@ -195,7 +197,8 @@ void deposit_planes(GrainWeights const& weights, TableView const& quantity, Tabl
         });
 }
 
-template <int components> void deposit_all(GrainWeights const& weights, TableView const& quantity, TableView const& cell)
+template <int components>
+void deposit_all(GrainWeights const& weights, TableView const& quantity, TableView const& cell)
 {
     DepositStencil const& stencil = weights.stencil;
     long long const plane = 1LL * stencil.grid.cells[1] * stencil.slots[1] * stencil.slots[2] * stencil.starts[0] *
@@ -229,7 +232,8 @@ DepositStencil make_deposit_stencil(Grid const& grid, Real support_radius)
     return stencil;
 }
 
-GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const& position, View1<GrainId> const& id, int count)
+GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const& position, View1<GrainId> const& id,
+                                int count)
 {
     GrainWeights weights;
     weights.stencil = stencil;
@@ -248,10 +252,8 @@ GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const&
 void deposit(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int components)
 {
     ARENITE_REQUIRE(components == 1 || components == 4, "deposit is built for 1 and 4 components");
-    if (components == 1)
-        deposit_all<1>(weights, quantity, cell);
-    else
-        deposit_all<4>(weights, quantity, cell);
+    if (components == 1) deposit_all<1>(weights, quantity, cell);
+    else deposit_all<4>(weights, quantity, cell);
 }
 
 } // namespace arenite

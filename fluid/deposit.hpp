@@ -14,7 +14,8 @@
 #include "core/grid.hpp"
 #include "core/particles.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 /// [item][component], component count chosen at run time.
 using TableView = Kokkos::View<Real**, Kokkos::LayoutRight, MemorySpace>;
@@ -26,11 +27,11 @@ struct DepositStencil {
     static constexpr int group = 4; // slots of x that are summed at once; their storage is padded to it
 
     Grid grid;
-    Real support_radius = 0;     // m
-    int touched[3] = {1, 1, 1};  // most cells that the kernel touches on an axis without end
-    int slots[3] = {1, 1, 1};    // cells of a block: touched, or the box's if these are fewer
-    int starts[3] = {1, 1, 1};   // start cells 0 .. starts - 1
-    int groups = 1;              // of x
+    Real support_radius = 0;    // m
+    int touched[3] = {1, 1, 1}; // most cells that the kernel touches on an axis without end
+    int slots[3] = {1, 1, 1};   // cells of a block: touched, or the box's if these are fewer
+    int starts[3] = {1, 1, 1};  // start cells 0 .. starts - 1
+    int groups = 1;             // of x
 
     KOKKOS_FUNCTION int y_slot() const { return group * groups; } // columns of GrainWeights::weight
     KOKKOS_FUNCTION int z_slot() const { return y_slot() + slots[1]; }
@@ -60,9 +61,9 @@ struct GrainWeights {
     DepositStencil stencil;
     int entries = 0;
     int bins_per_block = 1;
-    CellList bins;      // bins.item: [entry] row of the grain
-    View1<int> block;   // [entry] start cell, as sx + starts_x (sy + starts_y sz)
-    TableView weight;   // [entry][slots of x, padded with 0; of y; of z]
+    CellList bins;    // bins.item: [entry] row of the grain
+    View1<int> block; // [entry] start cell, as sx + starts_x (sy + starts_y sz)
+    TableView weight; // [entry][slots of x, padded with 0; of y; of z]
 
     KOKKOS_FUNCTION int begin(int of_block) const { return bins.begin(of_block * bins_per_block); }
 };
@@ -76,9 +77,8 @@ GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const&
 void deposit(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int components);
 
 /// One entry's mean of the cells' values, the adjoint of deposit: sum over cells of weight * cell(c, q).
-template <int components>
-KOKKOS_FUNCTION void interpolate_at(GrainWeights const& weights, int entry, TableView const& cell,
-                                    Real (&value)[components])
+template <int components> KOKKOS_FUNCTION void interpolate_at(GrainWeights const& weights, int entry,
+                                                              TableView const& cell, Real (&value)[components])
 {
     DepositStencil const& stencil = weights.stencil;
     int const block = weights.block(entry);

@@ -15,7 +15,8 @@
 #include <type_traits>
 #include <variant>
 
-namespace arenite {
+namespace arenite
+{
 
 /// What a law may look at.
 struct DragPoint {
@@ -136,7 +137,8 @@ struct BeetstraDrag {
 
 /// A grain of diameter d_g stands for k^3 particles of d_g/k and feels their drag (physics.md section 2): with
 /// the grain's own diameter in the law a pack would be k^2 times too permeable.
-template <class Law> KOKKOS_FUNCTION Real grain_drag_coefficient(Law const& law, DragPoint grain, Real coarse_grain_factor)
+template <class Law>
+KOKKOS_FUNCTION Real grain_drag_coefficient(Law const& law, DragPoint grain, Real coarse_grain_factor)
 {
     grain.diameter /= coarse_grain_factor;
     return coarse_grain_factor * coarse_grain_factor * coarse_grain_factor * law(grain);
@@ -151,14 +153,22 @@ inline AnyDragLaw make_drag_law(FluidSettings const& fluid)
 {
     Real const rho = fluid.density, mu = fluid.viscosity;
     switch (fluid.drag) {
-    case DragLaw::none: return NoDrag{};
-    case DragLaw::constant: return ConstantDrag{fluid.drag_constant};
-    case DragLaw::stokes: return StokesDrag{rho, mu};
-    case DragLaw::schiller_naumann: return SchillerNaumannDrag{rho, mu};
-    case DragLaw::di_felice: return DiFeliceDrag{rho, mu};
-    case DragLaw::di_felice_literal: return LiteralDiFeliceDrag{rho, mu};
-    case DragLaw::gidaspow: return GidaspowDrag{rho, mu};
-    case DragLaw::beetstra: return BeetstraDrag{rho, mu};
+    case DragLaw::none:
+        return NoDrag{};
+    case DragLaw::constant:
+        return ConstantDrag{fluid.drag_constant};
+    case DragLaw::stokes:
+        return StokesDrag{rho, mu};
+    case DragLaw::schiller_naumann:
+        return SchillerNaumannDrag{rho, mu};
+    case DragLaw::di_felice:
+        return DiFeliceDrag{rho, mu};
+    case DragLaw::di_felice_literal:
+        return LiteralDiFeliceDrag{rho, mu};
+    case DragLaw::gidaspow:
+        return GidaspowDrag{rho, mu};
+    case DragLaw::beetstra:
+        return BeetstraDrag{rho, mu};
     }
     throw InputError("fluid.drag is not one of the drag laws");
 }

@@ -9,10 +9,15 @@
 #include <algorithm>
 #include <numbers>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
-KOKKOS_FUNCTION Real sphere_volume(Real radius) { return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius; }
+KOKKOS_FUNCTION Real sphere_volume(Real radius)
+{
+    return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius;
+}
 
 /// Work arrays grow with the number of grains and are kept when it falls.
 void fit(TableView& table, char const* label, int rows, int columns)
@@ -79,12 +84,13 @@ void add_to_previous(Flow const& flow, Exchange const& exchange, CoupledSet cons
 /// [cell](u, v, w, n): what the drag is evaluated with.
 void gather_flow(Flow const& flow, TableView const& value)
 {
-    for_each_cell("gather_flow", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
-        int const number = cell_number(flow.grid, cell);
-        Vec3 const velocity = velocity_at_cell(flow, cell);
-        for (int axis = 0; axis < 3; ++axis) value(number, axis) = velocity[axis];
-        value(number, 3) = at(flow.porosity, cell);
-    });
+    for_each_cell(
+        "gather_flow", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
+            int const number = cell_number(flow.grid, cell);
+            Vec3 const velocity = velocity_at_cell(flow, cell);
+            for (int axis = 0; axis < 3; ++axis) value(number, axis) = velocity[axis];
+            value(number, 3) = at(flow.porosity, cell);
+        });
 }
 
 template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange, Particles const& particles)
@@ -109,22 +115,27 @@ template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange
 void write_drag(Flow const& flow, TableView const& cell_sum)
 {
     Real const per_volume = 1 / flow.grid.cell_volume();
-    for_each_cell("write_drag", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
-        int const number = cell_number(flow.grid, cell);
-        for (int axis = 0; axis < 3; ++axis) at(flow.drag_velocity[axis], cell) = cell_sum(number, axis) * per_volume;
-        at(flow.drag, cell) = cell_sum(number, 3) * per_volume;
-    });
+    for_each_cell(
+        "write_drag", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
+            int const number = cell_number(flow.grid, cell);
+            for (int axis = 0; axis < 3; ++axis)
+                at(flow.drag_velocity[axis], cell) = cell_sum(number, axis) * per_volume;
+            at(flow.drag, cell) = cell_sum(number, 3) * per_volume;
+        });
 }
 
 /// [cell](u, v, w, -grad p + div tau): what a grain's force is made of.
 void gather_step(Flow const& flow, FlowSolver const& solver, TableView const& value)
 {
     FaceField const face_force = solver.face_force;
-    for_each_cell("gather_step", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
-        int const number = cell_number(flow.grid, cell);
-        Vec3 const velocity = velocity_at_cell(flow, cell), force = stress_force_at_cell(flow.grid, face_force, cell);
-        for (int axis = 0; axis < 3; ++axis) value(number, axis) = velocity[axis], value(number, 3 + axis) = force[axis];
-    });
+    for_each_cell(
+        "gather_step", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
+            int const number = cell_number(flow.grid, cell);
+            Vec3 const velocity = velocity_at_cell(flow, cell),
+                       force = stress_force_at_cell(flow.grid, face_force, cell);
+            for (int axis = 0; axis < 3; ++axis)
+                value(number, axis) = velocity[axis], value(number, 3 + axis) = force[axis];
+        });
 }
 
 void write_fluid_force(Exchange const& exchange, RecordView const& fluid_force)
@@ -244,21 +255,28 @@ std::vector<std::string> check_exchange(Exchange const& exchange, Particles cons
     Real const diameter = largest_diameter(exchange.weights, particles.position);
     Real const radius = exchange.stencil.support_radius;
     if (radius < diameter)
-        remarks.push_back(fmt::format("fluid.smoothing_length {:.3g} m is less than the largest grain's diameter, {:.3g} m: "
-                                      "a cell inside a grain may fall below the least porosity", radius, diameter));
+        remarks.push_back(
+            fmt::format("fluid.smoothing_length {:.3g} m is less than the largest grain's diameter, {:.3g} m: "
+                        "a cell inside a grain may fall below the least porosity",
+                        radius, diameter));
     Real const edge = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z, radius});
     if (edge < 3 * diameter)
-        remarks.push_back(fmt::format("cells and smoothing length of {:.3g} m average over {:.2f} diameters of the largest "
-                                      "grain; the averaged equations want 3", edge, edge / diameter));
+        remarks.push_back(
+            fmt::format("cells and smoothing length of {:.3g} m average over {:.2f} diameters of the largest "
+                        "grain; the averaged equations want 3",
+                        edge, edge / diameter));
     Real const stiffness = drag_stiffness(exchange, particles, fluid_dt);
     if (stiffness > Real(0.5))
-        remarks.push_back(fmt::format("the fluid step of {:.3g} s is {:.2f} relaxation times m/beta of a grain: a force held "
-                                      "that long is inaccurate, and unstable from 2", fluid_dt, stiffness));
+        remarks.push_back(
+            fmt::format("the fluid step of {:.3g} s is {:.2f} relaxation times m/beta of a grain: a force held "
+                        "that long is inaccurate, and unstable from 2",
+                        fluid_dt, stiffness));
     ExchangeReport const& report = exchange.report;
     if (report.limited_cells > 0)
-        remarks.push_back(fmt::format("{} cells are below the least porosity {}: {:.3g} m3 of grains are hidden from the fluid "
-                                      "(lowest {:.3f})", report.limited_cells, exchange.minimum_porosity, report.limited_volume,
-                                      report.lowest_porosity));
+        remarks.push_back(fmt::format(
+            "{} cells are below the least porosity {}: {:.3g} m3 of grains are hidden from the fluid "
+            "(lowest {:.3f})",
+            report.limited_cells, exchange.minimum_porosity, report.limited_volume, report.lowest_porosity));
     return remarks;
 }
 

@@ -22,15 +22,16 @@
 #include <string>
 #include <vector>
 
-namespace arenite {
+namespace arenite
+{
 
 /// What a fluid step did to the grains' side; nothing is limited or left out without a number here.
 struct ExchangeReport {
-    int coupled = 0;            // grains in the fluid's box
-    int limited_cells = 0;      // cells whose porosity was below the minimum and was set to it
-    Real limited_volume = 0;    // m3 of grains that those cells hold too much: unseen by the fluid
-    Real lowest_porosity = 1;   // before the limit
-    int entered = 0, left = 0;  // grains that began or ceased to be coupled since the last step
+    int coupled = 0;           // grains in the fluid's box
+    int limited_cells = 0;     // cells whose porosity was below the minimum and was set to it
+    Real limited_volume = 0;   // m3 of grains that those cells hold too much: unseen by the fluid
+    Real lowest_porosity = 1;  // before the limit
+    int entered = 0, left = 0; // grains that began or ceased to be coupled since the last step
 };
 
 struct Exchange {
@@ -39,13 +40,13 @@ struct Exchange {
     Real coarse_grain_factor = 1;
     Real minimum_porosity = 0;
 
-    GrainWeights weights;       // of the grains where deposit_porosity saw them
-    TableView volume;           // [entry][1] m3
-    TableView drag;             // [entry](beta vx, beta vy, beta vz, beta), N and N s/m
-    TableView cell_sum;         // [cell][4] what deposit gives
-    TableView cell_value;       // [cell][6] what interpolate_at reads
-    CoupledSet coupled;         // the grains of the last deposit; a checkpoint of a coupled run holds it
-    CoupledSet spare;           // arrays for the next one
+    GrainWeights weights; // of the grains where deposit_porosity saw them
+    TableView volume;     // [entry][1] m3
+    TableView drag;       // [entry](beta vx, beta vy, beta vz, beta), N and N s/m
+    TableView cell_sum;   // [cell][4] what deposit gives
+    TableView cell_value; // [cell][6] what interpolate_at reads
+    CoupledSet coupled;   // the grains of the last deposit; a checkpoint of a coupled run holds it
+    CoupledSet spare;     // arrays for the next one
     ExchangeReport report;
 };
 

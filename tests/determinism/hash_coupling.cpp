@@ -11,8 +11,10 @@
 #include <string>
 #include <unistd.h>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 std::vector<Grain> random_grains(Region const& box, int count)
 {

@@ -12,8 +12,10 @@
 #include <random>
 #include <vector>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 constexpr Real rounding = 1e-14; // a few hundred terms of order one
 
@@ -181,7 +183,8 @@ TEST(Deposit, InterpolationIsTheAdjoint)
             deposit(weights, amount, cell, 4);
             TableView const value = interpolate_all(weights, field);
             for (int q = 0; q < 4; ++q) {
-                auto const a = host_column(amount, q), d = host_column(cell, q), f = host_column(field, q), v = host_column(value, q);
+                auto const a = host_column(amount, q), d = host_column(cell, q), f = host_column(field, q),
+                           v = host_column(value, q);
                 EXPECT_NEAR(std::inner_product(d.begin(), d.end(), f.begin(), 0.0),
                             std::inner_product(a.begin(), a.end(), v.begin(), 0.0), 300 * rounding);
             }
@@ -196,7 +199,8 @@ TEST(Deposit, UniformPackIsUniformUpToTheWalls)
     for (int k = 0; k < 5 * per_cell; ++k)
         for (int j = 0; j < 3 * per_cell; ++j)
             for (int i = 0; i < 4 * per_cell; ++i)
-                lattice.push_back(grid.lower + Vec3{(i + 0.5) / per_cell * grid.spacing.x, (j + 0.5) / per_cell * grid.spacing.y,
+                lattice.push_back(grid.lower + Vec3{(i + 0.5) / per_cell * grid.spacing.x,
+                                                    (j + 0.5) / per_cell * grid.spacing.y,
                                                     (k + 0.5) / per_cell * grid.spacing.z});
     Particles const particles = grains_at(lattice);
     for (Real const radius : {1e-9, 1.5e-3, 4e-3}) {
@@ -204,7 +208,8 @@ TEST(Deposit, UniformPackIsUniformUpToTheWalls)
         GrainWeights const weights = weights_of(grid, radius, particles);
         deposit(weights, uniform_table(weights.entries, 1, 1), cell, 1);
         for (Real const count : host_column(cell, 0))
-            EXPECT_NEAR(count / (per_cell * per_cell * per_cell), 1, radius < 1e-6 ? rounding : 2e-4); // the lattice's own ripple
+            EXPECT_NEAR(count / (per_cell * per_cell * per_cell), 1,
+                        radius < 1e-6 ? rounding : 2e-4); // the lattice's own ripple
     }
 }
 
@@ -231,7 +236,8 @@ TEST(Deposit, GrainsOutsideAreLeftOutAndPeriodicOnesWrapped)
 {
     Grid const grid = box(6, 5, 4, true, false, false);
     Vec3 const inside = grid.center(1, 1, 1);
-    Particles const particles = grains_at({inside, inside + Vec3{0, 0, 1}, inside + Vec3{0, -1, 0}, inside + Vec3{grid.length(0), 0, 0}});
+    Particles const particles =
+        grains_at({inside, inside + Vec3{0, 0, 1}, inside + Vec3{0, -1, 0}, inside + Vec3{grid.length(0), 0, 0}});
     GrainWeights const weights = weights_of(grid, 1e-3, particles);
     EXPECT_EQ(weights.entries, 2);
     auto const block = Kokkos::create_mirror_view_and_copy(HostSpace(), weights.block);

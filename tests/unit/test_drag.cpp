@@ -8,8 +8,10 @@
 #include <cmath>
 #include <vector>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 constexpr Real water_density = 998.2, water_viscosity = 1e-3, pi = std::numbers::pi_v<Real>;
 constexpr Real printed = 1e-9; // the reference values carry ten digits
@@ -48,17 +50,23 @@ Real terminal_velocity(FluidSettings const& fluid, Real grain_density, Real diam
     return low;
 }
 
-constexpr DragLaw all_laws[] = {DragLaw::constant,          DragLaw::stokes,   DragLaw::schiller_naumann, DragLaw::di_felice,
-                                DragLaw::di_felice_literal, DragLaw::gidaspow, DragLaw::beetstra};
+constexpr DragLaw all_laws[] = {
+    DragLaw::constant,          DragLaw::stokes,   DragLaw::schiller_naumann, DragLaw::di_felice,
+    DragLaw::di_felice_literal, DragLaw::gidaspow, DragLaw::beetstra};
 
 } // namespace
 
 TEST(Drag, DiFeliceFixedBedGradients)
 {
-    struct Point { Real porosity, superficial, gradient; };
-    for (auto const& point : {Point{0.37, 1e-4, 2280.079768}, Point{0.41, 1e-5, 128.9001244}, Point{0.41, 1e-4, 1318.668271},
-                              Point{0.41, 1e-3, 13560.85083}, Point{0.41, 1e-2, 135157.1882}, Point{0.45, 1e-2, 83959.78511}})
-        EXPECT_NEAR(bed_gradient(water(DragLaw::di_felice), point.superficial, point.porosity, 0.23e-3) / point.gradient, 1, printed);
+    struct Point {
+        Real porosity, superficial, gradient;
+    };
+    for (auto const& point :
+         {Point{0.37, 1e-4, 2280.079768}, Point{0.41, 1e-5, 128.9001244}, Point{0.41, 1e-4, 1318.668271},
+          Point{0.41, 1e-3, 13560.85083}, Point{0.41, 1e-2, 135157.1882}, Point{0.45, 1e-2, 83959.78511}})
+        EXPECT_NEAR(bed_gradient(water(DragLaw::di_felice), point.superficial, point.porosity, 0.23e-3) /
+                        point.gradient,
+                    1, printed);
 }
 
 TEST(Drag, PaperSandByClasses)
@@ -91,7 +99,8 @@ TEST(Drag, BeetstraIsCarmanKozenyInADenseBedAtRest)
     Real const n = 0.41, phi = 0.59, d = 0.23e-3;
     Real const kozeny = 180 * water_viscosity * phi * phi / (n * n * n * d * d) * 1e-12;
     Real const rest = n * n * (1 + 1.5 * std::sqrt(phi)) / (10 * phi / (n * n));
-    EXPECT_NEAR(bed_gradient(water(DragLaw::beetstra), 1e-12, n, d) / (kozeny * (1 + rest)), 1, 1e-7); // Re 2e-10 is left
+    EXPECT_NEAR(bed_gradient(water(DragLaw::beetstra), 1e-12, n, d) / (kozeny * (1 + rest)), 1,
+                1e-7); // Re 2e-10 is left
     // Re = 100: the formula as published, not multiplied out
     auto const published = [](Real solid, Real re) {
         Real const e = 1 - solid;
@@ -108,15 +117,20 @@ TEST(Drag, BeetstraIsCarmanKozenyInADenseBedAtRest)
 
 TEST(Drag, TerminalVelocitiesInWater)
 {
-    struct Row { Real diameter, di_felice, schiller_naumann, stokes; };
-    for (auto const& row : {Row{0.15e-3, 0.014423638, 0.015539606, 0.019703385}, Row{0.23e-3, 0.027330186, 0.029683397, 0.046324847},
-                            Row{0.355e-3, 0.048289111, 0.052216743, 0.11036085}, Row{0.46e-3, 0.065331051, 0.070371406, 0.18529939}}) {
+    struct Row {
+        Real diameter, di_felice, schiller_naumann, stokes;
+    };
+    for (auto const& row :
+         {Row{0.15e-3, 0.014423638, 0.015539606, 0.019703385}, Row{0.23e-3, 0.027330186, 0.029683397, 0.046324847},
+          Row{0.355e-3, 0.048289111, 0.052216743, 0.11036085}, Row{0.46e-3, 0.065331051, 0.070371406, 0.18529939}}) {
         constexpr Real eight_digits = 5e-8;
         EXPECT_NEAR(terminal_velocity(water(DragLaw::di_felice), 2605, row.diameter) / row.di_felice, 1, eight_digits);
-        EXPECT_NEAR(terminal_velocity(water(DragLaw::schiller_naumann), 2605, row.diameter) / row.schiller_naumann, 1, eight_digits);
+        EXPECT_NEAR(terminal_velocity(water(DragLaw::schiller_naumann), 2605, row.diameter) / row.schiller_naumann, 1,
+                    eight_digits);
         EXPECT_NEAR(terminal_velocity(water(DragLaw::stokes), 2605, row.diameter) / row.stokes, 1, eight_digits);
         // Wen & Yu without neighbours is Schiller & Naumann
-        EXPECT_NEAR(terminal_velocity(water(DragLaw::gidaspow), 2605, row.diameter) / row.schiller_naumann, 1, eight_digits);
+        EXPECT_NEAR(terminal_velocity(water(DragLaw::gidaspow), 2605, row.diameter) / row.schiller_naumann, 1,
+                    eight_digits);
     }
 }
 

@@ -14,8 +14,10 @@
 #include <utility>
 #include <vector>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 constexpr Real diameter = 3e-4, grain_volume = std::numbers::pi_v<Real> / 6 * diameter * diameter * diameter;
 constexpr Real fluid_dt = 2e-5;
@@ -115,7 +117,8 @@ TEST(Exchange, SolidAndFluidFillTheBox)
     for (int k = 0; k < 4; ++k)
         for (int j = 0; j < 5; ++j)
             for (int i = 0; i < 6; ++i) solid += (1 - n(i + 2, j + 2, k + 2)) * run.flow.grid.cell_volume();
-    for (Grain const& g : download(run.particles)) grains += std::numbers::pi_v<Real> / 6 * g.diameter * g.diameter * g.diameter;
+    for (Grain const& g : download(run.particles))
+        grains += std::numbers::pi_v<Real> / 6 * g.diameter * g.diameter * g.diameter;
     EXPECT_EQ(run.exchange.report.coupled, 800);
     EXPECT_EQ(run.exchange.report.limited_cells, 0);
     EXPECT_NEAR(solid / grains, 1, 1e-13);
@@ -148,7 +151,8 @@ constexpr Real momentum_rounding = 1e-12; // sums of 1e3 terms
 
 TEST(Exchange, MomentumClosesToRounding)
 {
-    for (Vec3 const& residual : momentum_residuals(ConvectionScheme::none)) EXPECT_LT(norm(residual), momentum_rounding);
+    for (Vec3 const& residual : momentum_residuals(ConvectionScheme::none))
+        EXPECT_LT(norm(residual), momentum_rounding);
     // The half cells at walls carry no convection of their own, so with it only the periodic axis closes exactly.
     for (Vec3 const& residual : momentum_residuals(ConvectionScheme::limited)) {
         EXPECT_LT(std::abs(residual.x), momentum_rounding);
@@ -164,7 +168,8 @@ TEST(Exchange, BitsDoNotDependOnTheOrderOfRows)
         for (int n = 0; n < 3; ++n) run.step(), drift(run.particles, fluid_dt);
         auto const force = Kokkos::create_mirror_view_and_copy(HostSpace(), run.particles.fluid_force);
         std::vector<std::pair<GrainId, Vec3>> result;
-        for (std::size_t row = 0; row < order.size(); ++row) result.emplace_back(order[row].id, vector_of(force, static_cast<int>(row)));
+        for (std::size_t row = 0; row < order.size(); ++row)
+            result.emplace_back(order[row].id, vector_of(force, static_cast<int>(row)));
         std::sort(result.begin(), result.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
         return result;
     };
@@ -206,7 +211,8 @@ TEST(Exchange, TooFullCellIsLimitedCountedAndTold)
     deposit_drag(run.flow, run.exchange, run.particles);
     Real const cell = run.flow.grid.cell_volume();
     EXPECT_EQ(run.exchange.report.limited_cells, 1);
-    EXPECT_NEAR(run.exchange.report.limited_volume / (100 * grain_volume - (1 - fluid.minimum_porosity) * cell), 1, 1e-12);
+    EXPECT_NEAR(run.exchange.report.limited_volume / (100 * grain_volume - (1 - fluid.minimum_porosity) * cell), 1,
+                1e-12);
     EXPECT_NEAR(run.exchange.report.lowest_porosity, 1 - 100 * grain_volume / cell, 1e-12);
     EXPECT_EQ(check_exchange(run.exchange, run.particles, 1e-7).size(), 2u); // support below a diameter, too full
 }

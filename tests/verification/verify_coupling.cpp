@@ -13,8 +13,10 @@
 #include <numbers>
 #include <vector>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 constexpr Real pi = std::numbers::pi_v<Real>, gravity = 9.81, grain_density = 2605;
 
@@ -78,7 +80,8 @@ constexpr int bed_cells = 12;
 Real bed_gradient(Bed const& bed, Real dt, int steps, Real* push = nullptr)
 {
     int const per_cell = bed.factor == 1 ? 6 : 3; // grains along a cell's edge; a factor of 2 fills the same cells
-    Real const d = bed.factor * original_diameter, pitch = std::cbrt(sphere(d) / (1 - bed.porosity)), cell = per_cell * pitch;
+    Real const d = bed.factor * original_diameter, pitch = std::cbrt(sphere(d) / (1 - bed.porosity)),
+               cell = per_cell * pitch;
     Region const box{{0, 0, 0}, {3 * cell, 3 * cell, bed_cells * cell}};
     std::vector<Grain> grains;
     for (int k = 0; k < bed_cells * per_cell; ++k)
@@ -116,7 +119,11 @@ Real terminal_slip(FluidSettings const& fluid, Real diameter, Real porosity)
     Real low = 0, high = 1;
     for (int n = 0; n < 60; ++n) {
         Real const slip = (low + high) / 2;
-        Real const beta = std::visit([&](auto const& law) { return law(DragPoint{diameter, porosity, slip}); }, make_drag_law(fluid));
+        Real const beta = std::visit(
+            [&](auto const& law) {
+                return law(DragPoint{diameter, porosity, slip});
+            },
+            make_drag_law(fluid));
         (beta * slip < weight ? low : high) = slip;
     }
     return low;
@@ -181,9 +188,13 @@ Fall settle(Real diameter, Real cell, DragLaw law, Real terminal, Real factor = 
 
 TEST(FixedBed, PressureDropOfAUniformLattice)
 {
-    struct Case { Bed bed; Real gradient; };
-    for (auto const& c : {Case{{0.41, 1e-4}, 1318.668271}, Case{{0.41, 1e-2}, 135157.1882}, Case{{0.37, 1e-4}, 2280.079768},
-                          Case{{0.45, 1e-3}, 8212.019907}, Case{{0.41, 1e-4, DragLaw::gidaspow}, 1432.80}}) {
+    struct Case {
+        Bed bed;
+        Real gradient;
+    };
+    for (auto const& c :
+         {Case{{0.41, 1e-4}, 1318.668271}, Case{{0.41, 1e-2}, 135157.1882}, Case{{0.37, 1e-4}, 2280.079768},
+          Case{{0.45, 1e-3}, 8212.019907}, Case{{0.41, 1e-4, DragLaw::gidaspow}, 1432.80}}) {
         Real push = 0;
         Real const gradient = bed_gradient(c.bed, 1, 6, &push);
         std::printf("n %.2f U %.0e: error %.1e, force on the grains %.1e\n", c.bed.porosity, c.bed.superficial,
@@ -210,15 +221,19 @@ TEST(FixedBed, AnyFluidStepHasTheSameSteadyState)
 
 TEST(SingleSphere, SettlesAtTheTerminalVelocity)
 {
-    struct Case { Real diameter, cell; DragLaw law; Real terminal, time_63; };
+    struct Case {
+        Real diameter, cell;
+        DragLaw law;
+        Real terminal, time_63;
+    };
     for (auto const& c : {Case{0.15e-3, 1.5e-3, DragLaw::di_felice, 0.014423638, 0.00223001},
                           Case{0.23e-3, 1.5e-3, DragLaw::di_felice, 0.027330186, 0.00409423},
                           Case{0.355e-3, 1.5e-3, DragLaw::di_felice, 0.048289111, 0.0069827},
                           Case{0.23e-3, 1.5e-3, DragLaw::schiller_naumann, 0.029683397, 0},
                           Case{0.23e-3, 3 * 0.23e-3, DragLaw::di_felice, 0.027330186, 0}}) {
         Fall const fall = settle(c.diameter, c.cell, c.law, c.terminal);
-        std::printf("d %.3g cell %.3g: slip/law at its n %.5f, slip/v_t %.5f, speed/v_t %.5f, t63/closed %.5f\n", c.diameter, c.cell,
-                    fall.slip / fall.expected_slip, fall.slip / c.terminal, fall.speed / c.terminal,
+        std::printf("d %.3g cell %.3g: slip/law at its n %.5f, slip/v_t %.5f, speed/v_t %.5f, t63/closed %.5f\n",
+                    c.diameter, c.cell, fall.slip / fall.expected_slip, fall.slip / c.terminal, fall.speed / c.terminal,
                     c.time_63 > 0 ? fall.time_63 / c.time_63 : 0);
         EXPECT_NEAR(fall.slip / fall.expected_slip, 1, 5e-3);
         if (c.time_63 > 0) { EXPECT_NEAR(fall.time_63 / c.time_63, 1, 1e-2); }
