@@ -164,7 +164,7 @@ Fall settle(Real diameter, Real cell, DragLaw law, Real terminal, Real factor = 
     auto const position = Kokkos::create_mirror_view_and_copy(HostSpace(), run.particles.position);
     auto const velocity = Kokkos::create_mirror_view_and_copy(HostSpace(), run.particles.velocity);
     Fall fall;
-    for (int n = 0; n < 700; ++n) {
+    for (int n = 0; n < 900; ++n) {
         run.step(dt);
         auto const force = Kokkos::create_mirror_view_and_copy(HostSpace(), run.particles.fluid_force);
         Real const before = -velocity(0, 2);
