@@ -2,10 +2,12 @@
 // The pairs of grains that touch or are close to, with what each contact remembers. Contact-centric: a pair
 // is evaluated once and writes its force into its own row; a grain gathers its rows in the order of its
 // partners' ids. So the bits depend on ids and positions only, not on threads, on how the grains happen
-// to be sorted, or on when the list was built.
+// to be sorted, or on when the list was built. (A grain that left by a periodic face is put back at the next
+// search, which rounds its position: in a periodic box the time of a search shows in the last bits.)
 //
-// The first grain of a pair owns the row: of two grains of one size level the one with the lower id, of
-// two levels the smaller grain. The normal points from second to first.
+// The first grain of a pair owns the row: the smaller of the two, of equal ones that with the lower id. That
+// depends on the two alone, so memory stays with its row whatever other grains come or leave. The normal
+// points from second to first.
 #pragma once
 
 #include "core/periodic_box.hpp"

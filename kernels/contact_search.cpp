@@ -91,6 +91,24 @@ void check_periodic_edges(PeriodicBox const& box, Real cutoff)
                                          "xyz"[axis], size[axis], 2 * cutoff));
 }
 
+/// A grain that is nowhere would be left out of every list, or make a grid without end.
+void check_positions(Particles const& particles)
+{
+    RecordView const position = particles.position;
+    View1<GrainId> const id = particles.id;
+    constexpr GrainId none = Kokkos::reduction_identity<GrainId>::min();
+    GrainId lost = none;
+    Kokkos::parallel_reduce(
+        "check_positions", RangePolicy(0, particles.count),
+        KOKKOS_LAMBDA(int i, GrainId& least) {
+            Vec3 const x = vector_of(position, i);
+            bool const somewhere = dot(x, x) < Real(1e300);
+            if (!somewhere && id(i) < least) least = id(i);
+        },
+        Kokkos::Min<GrainId>(lost));
+    if (lost != none) throw SimulationError(fmt::format("grain {}: its position is not a finite number", lost));
+}
+
 void wrap_positions(Particles const& particles, PeriodicBox const& box)
 {
     RecordView const position = particles.position;
@@ -99,8 +117,8 @@ void wrap_positions(Particles const& particles, PeriodicBox const& box)
             Vec3 const size = box.size();
             for (int axis = 0; axis < 3; ++axis) {
                 if (!box.periodic[axis]) continue;
-                if (position(i, axis) < box.lower[axis]) position(i, axis) += size[axis];
-                if (position(i, axis) >= box.upper[axis]) position(i, axis) -= size[axis];
+                position(i, axis) -= Kokkos::floor((position(i, axis) - box.lower[axis]) / size[axis]) * size[axis];
+                if (position(i, axis) >= box.upper[axis]) position(i, axis) -= size[axis]; // a rounding below lower
             }
         });
 }
@@ -275,9 +293,10 @@ struct PairFinder {
                     int const end = grids.list[level].begin(row + high[0] + 1);
                     for (int k = grids.list[level].begin(row + low[0]); k < end; ++k) {
                         int const point = grids.list[level].item(k);
-                        if (level == own && points.id(point) <= id(i)) continue;
+                        Real const other = points.position(point, 3);
+                        if (other < radius || (other == radius && points.id(point) <= id(i))) continue;
                         Vec3 const d = x - vector_of(points.position, point);
-                        Real const cutoff = radius + points.position(point, 3) + skin;
+                        Real const cutoff = radius + other + skin;
                         if (dot(d, d) < cutoff * cutoff) visit(point);
                     }
                 }
@@ -431,6 +450,7 @@ void allocate_contacts(ContactList& contacts)
 View1<int> sort_grains(Particles& particles, PeriodicBox const& box, SearchSettings const& settings)
 {
     if (particles.count == 0) return View1<int>("sorted_from", 0);
+    check_positions(particles);
     wrap_positions(particles, box);
     Bounds const bounds = find_bounds(particles.position, particles.count);
     check_periodic_edges(box, 2 * bounds.largest + settings.skin);

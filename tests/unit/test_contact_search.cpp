@@ -137,7 +137,7 @@ TEST(ContactSearch, CarriesMemoryOverExactly)
 {
     GrainSystem system = dense_system();
     std::vector<ListedPair> const before = remembered(system);
-    ASSERT_GT(before.size(), 300u);
+    ASSERT_GT(before.size(), 100u);
     EXPECT_TRUE(std::any_of(before.begin(), before.end(), [](ListedPair const& p) { return p.adhering; }));
     for (int n = 0; n < 2; ++n) {
         system.settings.skin *= 1.7;
