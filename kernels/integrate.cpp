@@ -79,8 +79,9 @@ struct GrainStep {
         Vec3 const there = here + settings.dt * (vector_of(grains.velocity, i) + stretch);
         set_vector(grains.position, i, there);
         Vec3 const moved = there - vector_of(contacts.reference_position, i);
-        if (dot(moved, moved) > settings.allowed_move * settings.allowed_move)
-            Kokkos::atomic_or(&health(), static_cast<unsigned>(list_is_stale));
+        Real const square = dot(moved, moved);
+        if (!(square <= settings.allowed_move * settings.allowed_move)) // true for NaN too
+            Kokkos::atomic_or(&health(), static_cast<unsigned>(square < Real(1e300) ? list_is_stale : force_is_not_finite));
     }
 };
 

@@ -14,7 +14,7 @@ namespace arenite {
 enum Health : unsigned {
     healthy = 0,
     list_is_stale = 1,     // a grain moved more than its share of the skin
-    force_is_not_finite = 2,
+    force_is_not_finite = 2, // nor may be a position: a lone grain with a bad velocity has no force to show it
 };
 
 /// The wall forces as a grain gathers them; empty where no wall is near.
