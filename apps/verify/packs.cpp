@@ -35,9 +35,6 @@ std::vector<Grain> shuffled(std::vector<Grain> grains, std::uint64_t seed)
     return grains;
 }
 
-namespace {
-
-/// Shift by whole edges that brings an offset to its nearest image.
 Vec3 nearest_offset(Vec3 offset, PeriodicBox const& box)
 {
     Vec3 const size = box.size();
@@ -45,8 +42,6 @@ Vec3 nearest_offset(Vec3 offset, PeriodicBox const& box)
         if (box.periodic[axis]) offset[axis] -= size[axis] * std::round(offset[axis] / size[axis]);
     return offset;
 }
-
-} // namespace
 
 int wrong_pairs(GrainSystem const& system)
 {

@@ -23,6 +23,9 @@ std::vector<Grain> random_pack(PackSettings const& settings);
 /// The same grains in another order; ids stay with them.
 std::vector<Grain> shuffled(std::vector<Grain> grains, std::uint64_t seed);
 
+/// The offset between the nearest images.
+Vec3 nearest_offset(Vec3 offset, PeriodicBox const& box);
+
 /// Pairs that the list has and should not, should have and has not, or has twice, against every two grains
 /// of the system as it is now.
 int wrong_pairs(GrainSystem const& system);

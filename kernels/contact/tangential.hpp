@@ -40,8 +40,10 @@ KOKKOS_FUNCTION inline Vec3 surface_velocity(Vec3 const& approach, Vec3 const& a
 KOKKOS_FUNCTION inline Vec3 step_spin(Vec3 const& spin, Real dt) { return (1 + dot(spin, spin) * dt * dt / 12) * spin; }
 
 /// How the spring's stretch follows a changing contact radius (contact variants `secant`, `rescaled`,
-/// `incremental`): the secant form F = S_t(a) xi makes energy when a contact is sheared and unloaded;
-/// rescaling on unloading (Thornton et al. 2013; Walton & Braun 1986) or adding dF = S_t dxi does not.
+/// `incremental`). `rescaled` shrinks it on unloading (as LAMMPS' mindlin_rescale; Walton & Braun 1986),
+/// `incremental` adds dF = S_t dxi: both take energy from an impact to which the secant form F = S_t(a) xi gives
+/// some. None is free of it: sheared while light and back while pressed, `secant` and `rescaled` make energy, the
+/// other way round `incremental` does.
 KOKKOS_FUNCTION inline Real stretch_factor(TangentialLaw law, Real previous_radius, Real radius)
 {
     if (!(previous_radius > 0)) return 1;
