@@ -19,38 +19,10 @@ std::vector<Real> densities_of(Scene const& scene)
     return densities;
 }
 
-bool is_chosen(GrainGroupSettings const& group, Grain const& grain)
+void set_particles(Scene const& scene, std::vector<Grain> grains, RunState& state)
 {
-    auto const holds = [](auto const& list, auto value) { return std::find(list.begin(), list.end(), value) != list.end(); };
-    if (holds(group.ids, static_cast<long long>(grain.id)) || holds(group.classes, grain.size_class)) return true;
-    if (!group.region) return false;
-    for (int axis = 0; axis < 3; ++axis)
-        if (grain.position[axis] < group.region->lower[axis] || grain.position[axis] > group.region->upper[axis]) return false;
-    return true;
-}
-
-void apply_groups(Scene const& scene, std::vector<Grain>& grains)
-{
-    for (std::size_t i = 0; i < grains.size(); ++i) {
-        Grain& grain = grains[i];
-        if (grain.id < 0) grain.id = static_cast<GrainId>(i);
-        if (scene.particles.held) grain.motion = Motion::held;
-        for (GrainGroupSettings const& group : scene.groups) {
-            if (!is_chosen(group, grain)) continue;
-            grain.applied_force += group.force;
-            if (group.held) grain.motion = Motion::held;
-            if (!group.velocity && !group.spin) continue;
-            grain.motion = Motion::prescribed;
-            grain.velocity = group.velocity.value_or(Vec3{});
-            grain.spin = group.spin.value_or(Vec3{});
-        }
-    }
-}
-
-Particles particles_of(Scene const& scene, std::vector<Grain> grains)
-{
-    apply_groups(scene, grains);
-    return make_particles(grains, densities_of(scene));
+    state.groups = choose_groups(scene, grains);
+    state.particles = make_particles(grains, densities_of(scene));
 }
 
 /// Only the grains of an earlier run: where they are and how they move. Contacts begin anew.
@@ -103,21 +75,21 @@ RunState make_run_state(Scene const& scene)
     for (int axis = 0; axis < 3; ++axis) state.box.periodic[axis] = scene.domain.periodic[axis];
     state.walls = walls_of(scene);
     state.particles = make_particles({}, densities_of(scene));
-    if (scene.particles.source == ParticleSource::file) state.particles = particles_of(scene, grains_of_file(scene).grains);
-    if (scene.particles.source == ParticleSource::checkpoint) state.particles = particles_of(scene, grains_of_checkpoint(scene));
+    if (scene.particles.source == ParticleSource::file) set_particles(scene, grains_of_file(scene).grains, state);
+    if (scene.particles.source == ParticleSource::checkpoint) set_particles(scene, grains_of_checkpoint(scene), state);
     return state;
 }
 
-Particles generate_particles(Scene const& scene)
+void generate_particles(Scene const& scene, RunState& state)
 {
     DistributionSettings const& distribution = scene.particles.distribution;
     Region const region = distribution.region.value_or(Region{scene.domain.lower, scene.domain.upper});
     auto const classes = make_size_classes(distribution, scene.coarse_graining, volume_of(region));
     int const material = material_row(scene, scene.particles.material);
-    return particles_of(scene, pack_at_random(classes, region, material, scene.random_seed));
+    set_particles(scene, pack_at_random(classes, region, material, scene.random_seed), state);
 }
 
-void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state)
+void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state, std::optional<Region> const& known_box)
 {
     if (!planned.settings.fluid || !scene.fluid) {
         state.fluid.reset();
@@ -130,7 +102,8 @@ void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& st
     Vec3 const gravity = planned.settings.gravity.value_or(scene.domain.gravity);
     state.fluid = std::make_unique<FluidState>();
     FluidState& fluid = *state.fluid;
-    fluid.flow = make_flow(settings, fluid_box(scene, state), with_grains, gravity);
+    fluid.box = known_box ? *known_box : fluid_box(scene, state);
+    fluid.flow = make_flow(settings, fluid.box, with_grains, gravity);
     fluid.boundary = make_boundary(settings, fluid.flow.grid);
     fluid.solver = make_flow_solver(settings, fluid.flow);
     if (with_grains) fluid.exchange = make_exchange(fluid.flow, state.particles, settings, scene.coarse_graining.factor);

@@ -5,17 +5,21 @@
 #include "apps/run_state.hpp"
 #include "apps/stage_plan.hpp"
 
+#include <optional>
+
 namespace arenite {
 
 /// Walls at their places and grains from a file or a checkpoint; grains of a distribution come with its generation
 /// stage. Throws InputError.
 RunState make_run_state(Scene const& scene);
 
-/// Grains of the scene's size distribution at random places, groups applied. Throws InputError.
-Particles generate_particles(Scene const& scene);
+/// Puts grains of the scene's size distribution at random places. Throws InputError.
+void generate_particles(Scene const& scene, RunState& state);
 
-/// Makes the fluid when the stage has one and the run does not yet, and lets it go when the stage has none.
-void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state);
+/// Makes the fluid when the stage has one and the run does not yet, and lets it go when the stage has none. Its box is that
+/// of a checkpoint, or what the scene says with the walls where they are.
+void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state,
+                   std::optional<Region> const& known_box = {});
 
 /// m; the scene-independent 1 m where there is no grain.
 Real smallest_grain_diameter(Particles const& particles);

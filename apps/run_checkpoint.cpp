@@ -83,14 +83,46 @@ std::map<std::string, std::vector<Real>> load_named(CheckpointReader const& in, 
     return arrays;
 }
 
+void save_groups(CheckpointWriter& out, GrainGroups const& groups)
+{
+    auto const save = [&](std::string const& name, std::set<GrainId> const& ids) {
+        out.array("groups/" + name, std::vector<GrainId>(ids.begin(), ids.end()));
+    };
+    for (std::size_t g = 0; g < groups.members.size(); ++g) save("member_" + std::to_string(g), groups.members[g]);
+    save("held", groups.held);
+    std::vector<GrainId> ids;
+    std::vector<Real> forces;
+    for (auto const& [id, force] : groups.force) {
+        ids.push_back(id);
+        for (int axis = 0; axis < 3; ++axis) forces.push_back(force[axis]);
+    }
+    out.array("groups/forced", ids);
+    out.array("groups/force", forces);
+}
+
+GrainGroups load_groups(CheckpointReader const& in, std::size_t count)
+{
+    auto const load = [&](std::string const& name) {
+        std::vector<GrainId> const ids = in.array<GrainId>("groups/" + name);
+        return std::set<GrainId>(ids.begin(), ids.end());
+    };
+    GrainGroups groups;
+    for (std::size_t g = 0; g < count; ++g) groups.members.push_back(load("member_" + std::to_string(g)));
+    groups.held = load("held");
+    std::vector<GrainId> const ids = in.array<GrainId>("groups/forced");
+    std::vector<Real> const forces = in.array<Real>("groups/force");
+    for (std::size_t i = 0; i < ids.size(); ++i) groups.force[ids[i]] = {forces.at(3 * i), forces.at(3 * i + 1), forces.at(3 * i + 2)};
+    return groups;
+}
+
 void save_fluid(CheckpointWriter& out, FluidState& fluid)
 {
     for_each_state_field(fluid.flow, fluid.solver, [&](std::string const& name, auto& field) {
         if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Real>) out.value("fluid/" + name, field);
         else if (field.is_allocated()) out.array("fluid/" + name, field);
     });
-    Vec3 const lower = fluid.flow.grid.lower, spacing = fluid.flow.grid.spacing;
-    out.array("fluid/grid", std::vector<Real>{lower.x, lower.y, lower.z, spacing.x, spacing.y, spacing.z});
+    out.array("fluid_box", std::vector<Real>{fluid.box.lower.x, fluid.box.lower.y, fluid.box.lower.z, fluid.box.upper.x,
+                                             fluid.box.upper.y, fluid.box.upper.z});
     CoupledSet const& coupled = fluid.exchange.coupled;
     out.value("coupled/count", coupled.count);
     out.value("coupled/digest", static_cast<std::int64_t>(coupled.digest));
@@ -108,7 +140,8 @@ void save_fluid(CheckpointWriter& out, FluidState& fluid)
 void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage const& planned, RunState& state)
 {
     RecordView const held_force = state.particles.fluid_force;
-    prepare_fluid(scene, planned, state); // the wall that the box may fit to is where it was
+    std::vector<Real> const b = in.array<Real>("fluid_box");
+    prepare_fluid(scene, planned, state, Region{{b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)}});
     if (held_force.is_allocated()) state.particles.fluid_force = held_force;
     FluidState& fluid = *state.fluid;
     for_each_state_field(fluid.flow, fluid.solver, [&](std::string const& name, auto& field) {
@@ -136,6 +169,7 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
         if (view.is_allocated()) out.array(name, view);
     });
     out.array("particles/motion", motion_bytes(state.particles));
+    save_groups(out, state.groups);
     out.value("contacts/count", state.contacts.count);
     save_named(out, "walls/", save_walls(state.walls));
     save_named(out, "wall_contacts/", save_wall_contacts(state.wall_contacts));
@@ -158,6 +192,7 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
     in.view("particles/motion", motion);
     restore_motion(motion, state.particles);
     state.particles.count = static_cast<int>(state.particles.id.extent(0));
+    state.groups = load_groups(in, scene.groups.size());
     state.contacts.count = in.value<int>("contacts/count");
     state.contacts.needs = {state.contacts.spring.is_allocated(), state.contacts.adhering.is_allocated()};
     restore_walls(state.walls, load_named(in, "walls/"));

@@ -5,6 +5,7 @@
 #include "apps/sample.hpp"
 #include "apps/stage_watch.hpp"
 #include "io/checkpoint_folder.hpp"
+#include "io/wall_surfaces.hpp"
 #include "kernels/contact_search.hpp"
 
 #include <fmt/format.h>
@@ -117,6 +118,7 @@ void RunOutput::write_fields(RunState& state)
     counts.coordination = View1<int>("coordination", state.particles.count);
     count_bonds(state.particles, state.contacts, counts.bonds, counts.coordination);
     fields_.write(take_snapshot(state.particles, state.clock.time(), counts));
+    if (state.walls.count() > 0) fields_.write_walls(wall_surfaces(state.walls, state.clock.time()));
     if (!state.fluid) return;
     FluidSnapshot const fluid = take_snapshot(state.fluid->flow, state.clock.time());
     fields_.write(fluid);

@@ -2,6 +2,7 @@
 // Everything that changes in a run. A checkpoint holds all of it (apps/run_checkpoint.hpp).
 #pragma once
 
+#include "apps/grain_groups.hpp"
 #include "core/contact_list.hpp"
 #include "core/particles.hpp"
 #include "core/reproducible_sum.hpp"
@@ -29,6 +30,7 @@ struct Clock {
 
 /// The fluid's part; a run whose stages have no fluid never makes one.
 struct FluidState {
+    Region box;                  // m, settled when the fluid was made
     Flow flow;
     FlowBoundary boundary;
     FlowSolver solver;
@@ -45,6 +47,7 @@ struct Tally {
 struct RunState {
     Clock clock;
     Particles particles;
+    GrainGroups groups;
     PeriodicBox box;
     Walls walls;
     ContactList contacts;

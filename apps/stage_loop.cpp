@@ -30,12 +30,13 @@ Cadence make_cadence(PlannedStage const& planned, RunOutput const& output)
 
 void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
 {
-    if (particles.count > 0) {
+    bool const coupled = fluid.flow.has_drag(); // stays so when the last grain has left
+    if (coupled) {
         deposit_porosity(fluid.flow, fluid.exchange, particles);
         deposit_drag(fluid.flow, fluid.exchange, particles);
     }
     fluid.report = advance_flow(fluid.flow, fluid.boundary, fluid.solver, fluid_dt);
-    if (particles.count > 0) evaluate_fluid_force(fluid.flow, fluid.solver, fluid.exchange, particles);
+    if (coupled) evaluate_fluid_force(fluid.flow, fluid.solver, fluid.exchange, particles);
 }
 
 /// From one moment at which somebody looks to the next.

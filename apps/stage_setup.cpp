@@ -95,10 +95,11 @@ StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState
 {
     StageSettings const& stage = planned.settings;
     if (stage.kind == StageKind::generation) {
-        state.particles = generate_particles(scene);
+        generate_particles(scene, state);
         return {};
     }
     begin_stage(state.walls, stage.walls);
+    apply_groups(scene, scene.stages[planned.scene_stage].name, state.groups, state.particles);
     state.clock.dt = planned.dt;
     state.box.strain_rate = {};
     if (stage.box)
