@@ -9,8 +9,10 @@
 
 #include <limits>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 constexpr Real sand_radius = 0.115e-3; // m
 
@@ -45,19 +47,21 @@ std::vector<VerifyCase> check_jkr_points()
     JkrPoints const points = jkr_points_of(pair, scale.effective_radius);
     auto const force = [&](Real overlap) { return jkr_response(overlap, scale, pair).force / points.pull_off_force; };
     Real const h = 1e-4 * points.length; // the third derivative leaves 1e-9
-    Real const stiffness = (force(points.overlap_B + h) - force(points.overlap_B - h)) / (2 * h) * points.pull_off_force;
+    Real const stiffness =
+        (force(points.overlap_B + h) - force(points.overlap_B - h)) / (2 * h) * points.pull_off_force;
     std::string const name = "JKR, two 0.23 mm grains", source = "Johnson, Kendall & Roberts 1971";
     constexpr Real rounding = 1e-12;
     // At S the slope is infinite: a rounding of the overlap there moves the force by its root.
     Real const at_S = 10 * std::sqrt(std::numeric_limits<Real>::epsilon());
     return {
-        compare({name, "pull-off force F_C [N]", source}, jkr_response(points.overlap_C, scale, pair).pull_off_force, 1.625774198e-2, 1e-9),
+        compare({name, "pull-off force F_C [N]", source}, jkr_response(points.overlap_C, scale, pair).pull_off_force,
+                1.625774198e-2, 1e-9),
         compare({name, "F / F_C at C", source}, force(points.overlap_C), -1, rounding),
         compare({name, "F / F_C at A", source}, force(0), Real(-8) / 9, rounding),
         compare({name, "F / F_C at B", source}, force(points.overlap_B), 0, rounding),
         compare({name, "F / F_C at S", source}, force(points.overlap_S), Real(-5) / 9, at_S),
-        compare({name, "overlap at C [m]", source}, pair.length_factor * scale.cube_root_of_radius * jkr_points::overlap_C,
-                -9.256171344e-8, 1e-9),
+        compare({name, "overlap at C [m]", source},
+                pair.length_factor * scale.cube_root_of_radius * jkr_points::overlap_C, -9.256171344e-8, 1e-9),
         compare({name, "contact radius at C [m]", source}, jkr_response(points.overlap_C, scale, pair).contact_radius,
                 3.995859804e-6, 1e-9),
         compare({name, "stiffness at B [N/m]", source}, stiffness, 83644.37876, 1e-7),
@@ -94,17 +98,19 @@ std::vector<VerifyCase> check_work_of_peeling()
     Real const unit = jkr_points_of(pair, scale.effective_radius).peel_unit;
     Real const t_C = std::sqrt(jkr_points::overlap_C - jkr_points::overlap_S);
     std::string const quantity = "work / (gamma^5 R*^4/E*^2)^(1/3)";
-    return {compare({"peeling from A to C", quantity, "paper eq 26, recomputed"}, peel_work(pair, scale, t_C) / unit, 11.1200681, 1e-8),
+    return {compare({"peeling from A to C", quantity, "paper eq 26, recomputed"}, peel_work(pair, scale, t_C) / unit,
+                    11.1200681, 1e-8),
             compare({"peeling from A to S", quantity, "Thornton & Ning 1998: 7.09 x (2 gamma)^(5/3)"},
                     peel_work(pair, scale, 0) / unit, 22.516318693, 1e-8)};
 }
 
-namespace {
+namespace
+{
 
 struct Pull {
-    Real peak = 0;           // N, largest tension
-    Real last_overlap = 0;   // m, where it still held
-    bool silent = true;      // no force after the break
+    Real peak = 0;            // N, largest tension
+    Real last_overlap = 0;    // m, where it still held
+    bool silent = true;       // no force after the break
     bool stays_broken = true; // Hertz when pressed again
 };
 
@@ -130,7 +136,8 @@ Pull pull_apart(NormalLaw law)
     for (int n = 0; n <= 100; ++n) {
         Real const overlap = n * points.overlap_B / 100;
         Vec3 const force = contact_law({{0, 0, 1}, overlap, {}, scale}, pair, state, dt);
-        Real const hertz = overlap > 0 ? hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus).force : 0;
+        Real const hertz =
+            overlap > 0 ? hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus).force : 0;
         pull.stays_broken = pull.stays_broken && force.z == hertz && !state.adhering;
     }
     return pull;
@@ -146,15 +153,20 @@ std::vector<VerifyCase> check_pull()
     constexpr Real one_step = 1.2e-4; // of the overlap at C: (delta_B - 1.5 delta_S) / 40000 steps
     return {
         compare({"modified JKR, pulled", "peak tension [N]", source}, bond.peak, 1.625774198e-2, 1e-6),
-        compare({"modified JKR, pulled", "overlap at the break [m]", source}, bond.last_overlap, points.overlap_C, 2 * one_step),
-        expect_true({"modified JKR, broken", "no force, then Hertz when pressed", source}, bond.silent && bond.stays_broken),
+        compare({"modified JKR, pulled", "overlap at the break [m]", source}, bond.last_overlap, points.overlap_C,
+                2 * one_step),
+        expect_true({"modified JKR, broken", "no force, then Hertz when pressed", source},
+                    bond.silent && bond.stays_broken),
         compare({"full JKR, pulled", "peak tension [N]", source}, contact.peak, 1.625774198e-2, 1e-6),
-        compare({"full JKR, pulled", "overlap at the snap [m]", source}, contact.last_overlap, points.overlap_S, one_step),
-        expect_true({"full JKR, snapped", "no force, bonds again at a touch", source}, contact.silent && !contact.stays_broken),
+        compare({"full JKR, pulled", "overlap at the snap [m]", source}, contact.last_overlap, points.overlap_S,
+                one_step),
+        expect_true({"full JKR, snapped", "no force, bonds again at a touch", source},
+                    contact.silent && !contact.stays_broken),
     };
 }
 
-namespace {
+namespace
+{
 
 /// Relative speed after two equal grains met (full JKR) or opened from A (modified JKR); 0 if they hold.
 Real speed_after(NormalLaw law, Real speed, Real step_over_period)
@@ -183,9 +195,10 @@ std::vector<VerifyCase> check_sticking()
         Real const speed = ratio * stick_speed;
         Real const reference = ratio > 1 ? std::sqrt(speed * speed - stick_speed * stick_speed) : 0;
         Real const out = speed_after(NormalLaw::jkr, speed, 1e-4);
-        rows.push_back(compare({fmt::format("full JKR, V = {} V_s", ratio), ratio > 1 ? "rebound speed / V" : "sticks: speed / V",
-                                "Thornton & Ning 1998: sqrt(V^2 - V_s^2)"},
-                               out / speed, reference / speed, ratio > 1 ? 1e-3 : 0));
+        rows.push_back(
+            compare({fmt::format("full JKR, V = {} V_s", ratio), ratio > 1 ? "rebound speed / V" : "sticks: speed / V",
+                     "Thornton & Ning 1998: sqrt(V^2 - V_s^2)"},
+                    out / speed, reference / speed, ratio > 1 ? 1e-3 : 0));
     }
     return rows;
 }
@@ -197,9 +210,10 @@ std::vector<VerifyCase> check_bonded_release()
     for (Real const ratio : {0.9, 1.1, 3.0}) {
         Real const speed = ratio * hold_speed;
         Real const reference = ratio > 1 ? std::sqrt(speed * speed - hold_speed * hold_speed) : 0;
-        rows.push_back(compare({fmt::format("bond opened from A at {} V_hold", ratio), ratio > 1 ? "speed / V" : "holds: speed / V",
-                                "energy: sqrt(V^2 - V_hold^2)"},
-                               speed_after(NormalLaw::modified_jkr, speed, 1e-4) / speed, reference / speed, ratio > 1 ? 1e-3 : 0));
+        rows.push_back(compare({fmt::format("bond opened from A at {} V_hold", ratio),
+                                ratio > 1 ? "speed / V" : "holds: speed / V", "energy: sqrt(V^2 - V_hold^2)"},
+                               speed_after(NormalLaw::modified_jkr, speed, 1e-4) / speed, reference / speed,
+                               ratio > 1 ? 1e-3 : 0));
     }
     return rows;
 }

@@ -4,7 +4,8 @@
 
 #include "apps/verify/verify_case.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 // contact: constants and collinear motion
 std::vector<VerifyCase> check_pair_constants();

@@ -6,26 +6,29 @@
 
 #include <fmt/format.h>
 
-namespace arenite {
+namespace arenite
+{
 
 std::vector<VerifyCase> check_pair_constants()
 {
     MaterialSettings const material = with(sand(), 0.8, 0.2);
-    PairConstants const pair = make_pair(material, material, contact_settings(NormalLaw::hertz, DampingLaw::restitution));
-    constexpr Real rounding = 1e-14;  // a few operations
-    constexpr Real printed = 1e-5;    // the references have five digits
+    PairConstants const pair =
+        make_pair(material, material, contact_settings(NormalLaw::hertz, DampingLaw::restitution));
+    constexpr Real rounding = 1e-14; // a few operations
+    constexpr Real printed = 1e-5;   // the references have five digits
     return {
         compare({"two sand grains", "E* [Pa]", "closed form: E/(2(1-nu^2))"}, pair.effective_youngs_modulus,
                 2e10 / (2 * 0.91), rounding),
         compare({"two sand grains", "G* [Pa]", "closed form: E/(4(1+nu)(2-nu))"}, pair.effective_shear_modulus,
                 2e10 / (4 * 1.3 * 1.7), rounding),
         compare({"e = 0.8", "damping ratio", "paper eq 33 with ln^2 e"}, damping_ratio(0.8), 0.0708504, printed),
-        compare({"sand, 0.23 mm", "Rayleigh time [s]", "paper eqs 37, 38 with 1+nu"}, rayleigh_time(material, 0.115e-3), 2.27168e-7,
-                printed),
+        compare({"sand, 0.23 mm", "Rayleigh time [s]", "paper eqs 37, 38 with 1+nu"}, rayleigh_time(material, 0.115e-3),
+                2.27168e-7, printed),
     };
 }
 
-namespace {
+namespace
+{
 
 /// Two equal spheres head-on through the grain kernels: largest force, largest overlap, duration.
 HertzImpact measure_impact(MaterialSettings const& material, Real radius, Real speed, Real dt, int most)
@@ -68,7 +71,8 @@ std::vector<VerifyCase> head_on(std::string const& name, MaterialSettings const&
             compare({name, "duration [s]", source}, found.duration, reference.duration, limit)};
 }
 
-VerifyCase on_rigid_plane(std::string const& name, MaterialSettings const& material, MaterialSettings const& plane, Real force)
+VerifyCase on_rigid_plane(std::string const& name, MaterialSettings const& material, MaterialSettings const& plane,
+                          Real force)
 {
     PairConstants const pair = make_pair(material, plane, contact_settings(NormalLaw::hertz));
     SphereOnPlane sphere = make_sphere_on_plane(pair, material, 0.1);
@@ -101,7 +105,8 @@ std::vector<VerifyCase> check_hertz_impacts()
     return rows;
 }
 
-namespace {
+namespace
+{
 
 Real rebound_speed(Real restitution, DampingLaw damping, int steps_per_contact)
 {
@@ -120,12 +125,14 @@ Real rebound_speed(Real restitution, DampingLaw damping, int steps_per_contact)
 std::vector<VerifyCase> check_restitution()
 {
     std::vector<VerifyCase> rows;
-    constexpr int steps = 20000;   // the dashpot sees the velocity half a step early: first order in dt
+    constexpr int steps = 20000; // the dashpot sees the velocity half a step early: first order in dt
     constexpr Real limit = 1e-4;
     for (Real const e : {0.2, 0.4, 0.6, 0.8, 0.9})
-        rows.push_back(compare({fmt::format("e = {}", e), "rebound speed / speed", "Tsuji 1992 with the attractive tail: e"},
-                               rebound_speed(e, DampingLaw::restitution, steps), e, limit));
-    Real const clipped[][2] = {{0.2, 0.324862848}, {0.4, 0.47201398}, {0.6, 0.632290516}, {0.8, 0.808099335}, {0.9, 0.902026069}};
+        rows.push_back(
+            compare({fmt::format("e = {}", e), "rebound speed / speed", "Tsuji 1992 with the attractive tail: e"},
+                    rebound_speed(e, DampingLaw::restitution, steps), e, limit));
+    Real const clipped[][2] = {
+        {0.2, 0.324862848}, {0.4, 0.47201398}, {0.6, 0.632290516}, {0.8, 0.808099335}, {0.9, 0.902026069}};
     for (auto const& [e, out] : clipped)
         rows.push_back(compare({fmt::format("e = {}, force clipped at 0", e), "rebound speed / speed",
                                 "the clipped equation of motion integrated to 1e-11"},

@@ -9,8 +9,10 @@
 #include <cstring>
 #include <tuple>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 std::vector<PairConstants> all_pairs(SystemSettings const& settings)
 {
@@ -94,7 +96,8 @@ void advance(GrainSystem& system, int steps)
         deform_box(system);
         ++system.steps;
         int const interval = system.settings.rebuild_interval;
-        if ((interval > 0 && system.steps % interval == 0) || (read_health(system.integrator) & list_is_stale)) rebuild(system);
+        if ((interval > 0 && system.steps % interval == 0) || (read_health(system.integrator) & list_is_stale))
+            rebuild(system);
         evaluate(system);
         if (!fused || n == steps - 1) kick(system.integrator, step, system.particles, system.contacts, {});
     }
@@ -184,12 +187,14 @@ Real hertz_energy(GrainSystem const& system)
         Real const overlap = (a.diameter + b.diameter) / 2 - norm(offset);
         if (overlap <= 0) continue;
         Real const radius = a.diameter * b.diameter / (2 * (a.diameter + b.diameter));
-        energy += Real(8) / 15 * system.pairs[0].effective_youngs_modulus * std::sqrt(radius) * std::pow(overlap, Real(2.5));
+        energy +=
+            Real(8) / 15 * system.pairs[0].effective_youngs_modulus * std::sqrt(radius) * std::pow(overlap, Real(2.5));
     }
     return energy;
 }
 
-namespace {
+namespace
+{
 
 void mix_in(std::uint64_t& hash, void const* data, std::size_t bytes) // FNV-1a
 {

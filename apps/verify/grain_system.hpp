@@ -9,22 +9,24 @@
 
 #include <vector>
 
-namespace arenite {
+namespace arenite
+{
 
 struct SystemSettings {
     std::vector<Grain> grains;
     std::vector<MaterialSettings> materials;
     ContactSettings contact;
     PeriodicBox box;
-    Real skin = 0;              // m
-    Real dt = 0;                // s
-    Vec3 gravity;               // m/s2
-    bool start_bonded = false;  // contacts that exist at the start are bonds
-    bool fused = false;         // kick and drift of neighbouring steps as one kernel
-    int rebuild_interval = 0;   // steps; 0: only when the list is stale
+    Real skin = 0;             // m
+    Real dt = 0;               // s
+    Vec3 gravity;              // m/s2
+    bool start_bonded = false; // contacts that exist at the start are bonds
+    bool fused = false;        // kick and drift of neighbouring steps as one kernel
+    int rebuild_interval = 0;  // steps; 0: only when the list is stale
 };
 
-inline Grain make_grain(GrainId id, Vec3 const& position, Real diameter, Vec3 const& velocity = {}, Vec3 const& spin = {})
+inline Grain make_grain(GrainId id, Vec3 const& position, Real diameter, Vec3 const& velocity = {},
+                        Vec3 const& spin = {})
 {
     Grain grain;
     grain.id = id;

@@ -8,7 +8,8 @@
 
 #include <fmt/format.h>
 
-namespace arenite {
+namespace arenite
+{
 
 std::vector<VerifyCase> check_free_fall()
 {
@@ -27,12 +28,14 @@ std::vector<VerifyCase> check_free_fall()
     Vec3 const place{0.3 * t + push * t * t / 2, -0.2 * t, 1 + 0.1 * t - 9.81 * t * t / 2};
     constexpr Real rounding = 1e-13; // a thousand steps
     std::string const source = "closed form: exact for a constant force";
-    return {compare_error({"constant force and gravity, 1000 steps", "error of position [m]", source}, norm(grain.position - place), rounding),
+    return {compare_error({"constant force and gravity, 1000 steps", "error of position [m]", source},
+                          norm(grain.position - place), rounding),
             compare_error({"constant force and gravity, 1000 steps", "error of velocity [m/s]", source},
                           norm(grain.velocity - Vec3{0.3 + push * t, -0.2, 0.1 - 9.81 * t}), rounding)};
 }
 
-namespace {
+namespace
+{
 
 /// Two unlike spinning grains meet off centre, with friction and damping.
 GrainSystem make_collision(std::uint64_t draw)
@@ -42,7 +45,8 @@ GrainSystem make_collision(std::uint64_t draw)
     Real const small = large * std::pow(Real(10), -random(0));
     SystemSettings settings;
     settings.materials = {with(sand(), 0.3 + 0.7 * random(1), random(2))};
-    settings.contact = contact_settings(draw % 2 ? NormalLaw::jkr : NormalLaw::hertz, DampingLaw::restitution, TangentialLaw::secant);
+    settings.contact =
+        contact_settings(draw % 2 ? NormalLaw::jkr : NormalLaw::hertz, DampingLaw::restitution, TangentialLaw::secant);
     Vec3 const line = normalized({0.2 + random(3), random(4), random(5)});
     Vec3 const slip = normalized(cross(line, {0, 0, 1}));
     Real const reach = (large + small) / 2 * (1 + Real(1e-6));
@@ -72,7 +76,8 @@ std::vector<VerifyCase> check_pair_conservation()
             compare_error({name, "change of angular momentum", source}, angular, 1e-12)};
 }
 
-namespace {
+namespace
+{
 
 SystemSettings smooth_gas(bool periodic)
 {
@@ -123,7 +128,8 @@ std::vector<VerifyCase> check_many_bodies()
 {
     SystemSettings settings = smooth_gas(false);
     settings.dt = 2e-8;
-    for (Grain& grain : settings.grains) grain.velocity -= 1500 * (grain.position - 0.5 * settings.box.size()); // implodes
+    for (Grain& grain : settings.grains)
+        grain.velocity -= 1500 * (grain.position - 0.5 * settings.box.size()); // implodes
     GrainSystem system = make_system(settings);
     Totals const before = totals(system);
     advance(system, 1500);
@@ -136,13 +142,15 @@ std::vector<VerifyCase> check_many_bodies()
             compare_error({name + ", no walls", "change of angular momentum", "Newton's third law"},
                           norm(after.angular_momentum - before.angular_momentum) / before.angular_scale, 1e-12),
             // Within a contact the energy swings by (omega dt)^2 / 4 = 2.5e-3 of what it stores, and comes back.
-            compare_error({name + ", periodic", "energy swing at dt_c/20", "velocity Verlet: (omega dt)^2"}, coarse.largest, 5e-3),
+            compare_error({name + ", periodic", "energy swing at dt_c/20", "velocity Verlet: (omega dt)^2"},
+                          coarse.largest, 5e-3),
             compare({name + ", periodic", "order of the energy swing", "velocity Verlet: 2"},
                     std::log2(coarse.largest / fine.largest) / 2, 2, 0.15),
             compare_error({name + ", periodic", "energy trend at dt_c/80", "symplectic: none"}, fine.trend, 1e-4)};
 }
 
-namespace {
+namespace
+{
 
 /// Overlap at which a contact carries the force, by bisection.
 Real overlap_under(Real force, PairConstants const& pair, ContactScale const& scale)
@@ -150,8 +158,9 @@ Real overlap_under(Real force, PairConstants const& pair, ContactScale const& sc
     Real low = 0, high = 0.1 * scale.effective_radius;
     for (int n = 0; n < 100; ++n) {
         Real const middle = (low + high) / 2;
-        Real const found = pair.surface_energy > 0 ? jkr_response(middle, scale, pair).force
-                                                   : hertz_response(middle, scale.effective_radius, pair.effective_youngs_modulus).force;
+        Real const found = pair.surface_energy > 0
+                               ? jkr_response(middle, scale, pair).force
+                               : hertz_response(middle, scale.effective_radius, pair.effective_youngs_modulus).force;
         (found < force ? low : high) = middle;
     }
     return (low + high) / 2;
@@ -161,8 +170,8 @@ struct Lattice {
     std::string name;
     bool face_centred;
     NormalLaw law;
-    Real contact_force;  // N
-    Real critical_step;  // s, from the lattice's exact eigenvalues
+    Real contact_force; // N
+    Real critical_step; // s, from the lattice's exact eigenvalues
 };
 
 SystemSettings make_lattice(Lattice const& lattice)
@@ -172,7 +181,8 @@ SystemSettings make_lattice(Lattice const& lattice)
     settings.materials = {with(sand(), 1, 1e9)}; // never slides
     settings.contact = contact_settings(lattice.law, DampingLaw::none, TangentialLaw::secant);
     PairConstants const pair = make_pair(settings.materials[0], settings.materials[0], settings.contact);
-    Real const spacing = diameter - overlap_under(lattice.contact_force, pair, contact_scale(sand(), diameter / 2, diameter / 2));
+    Real const spacing =
+        diameter - overlap_under(lattice.contact_force, pair, contact_scale(sand(), diameter / 2, diameter / 2));
     int const cells = lattice.face_centred ? 4 : 8; // even: the zone corner's mode fits
     Real const edge = lattice.face_centred ? spacing * std::sqrt(Real(2)) : spacing;
     std::vector<Vec3> sites{{0, 0, 0}};
@@ -180,7 +190,8 @@ SystemSettings make_lattice(Lattice const& lattice)
     for (int cell = 0; cell < cells * cells * cells; ++cell)
         for (Vec3 const& site : sites) {
             Vec3 const corner{Real(cell % cells), Real(cell / cells % cells), Real(cell / (cells * cells))};
-            Grain grain = make_grain(static_cast<GrainId>(settings.grains.size()), edge * (corner + site + Vec3{0.25, 0.25, 0.25}), diameter);
+            Grain grain = make_grain(static_cast<GrainId>(settings.grains.size()),
+                                     edge * (corner + site + Vec3{0.25, 0.25, 0.25}), diameter);
             for (int axis = 0; axis < 3; ++axis) { // noise
                 grain.velocity[axis] = 1e-9 * (random_uniform(3, settings.grains.size(), axis) - 0.5);
                 grain.spin[axis] = 1e-5 * (random_uniform(3, settings.grains.size(), 3 + axis) - 0.5);
@@ -216,8 +227,10 @@ std::vector<VerifyCase> check_critical_step()
                                    Lattice{"FCC, Hertz", true, NormalLaw::hertz, 0.018703, 1.47984e-7},
                                    Lattice{"FCC, JKR", true, NormalLaw::modified_jkr, 0.018703, 1.12116e-7}}) {
         // Below the limit a mode's energy swings by up to 1/(1 - 0.98^2) = 25; above, it grows 1.9 times a step.
-        rows.push_back(expect_true({lattice.name + ", 0.98 dt_c, 2000 steps", "stable", source}, growth(lattice, 0.98, 2000) < 100));
-        rows.push_back(expect_true({lattice.name + ", 1.02 dt_c, 100 steps", "diverges", source}, growth(lattice, 1.02, 100) > 1e6));
+        rows.push_back(expect_true({lattice.name + ", 0.98 dt_c, 2000 steps", "stable", source},
+                                   growth(lattice, 0.98, 2000) < 100));
+        rows.push_back(expect_true({lattice.name + ", 1.02 dt_c, 100 steps", "diverges", source},
+                                   growth(lattice, 1.02, 100) > 1e6));
     }
     return rows;
 }

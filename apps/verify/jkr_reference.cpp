@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-namespace arenite {
+namespace arenite
+{
 
 long double reference_root(long double scaled_overlap)
 {
@@ -27,7 +28,8 @@ JkrPoints jkr_points_of(PairConstants const& pair, Real effective_radius)
     long double const gamma = pair.surface_energy, radius = effective_radius, modulus = pair.effective_youngs_modulus;
     long double const length = std::cbrt(pi * pi * gamma * gamma * radius / (modulus * modulus));
     long double const unit = pi * gamma * radius;
-    long double const peel = std::cbrt(gamma * gamma * gamma * gamma * gamma * radius * radius * radius * radius / (modulus * modulus));
+    long double const peel =
+        std::cbrt(gamma * gamma * gamma * gamma * gamma * radius * radius * radius * radius / (modulus * modulus));
     JkrPoints points;
     points.length = static_cast<Real>(length);
     points.pull_off_force = static_cast<Real>(3 * unit);

@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-namespace arenite {
+namespace arenite
+{
 
 inline MaterialSettings make_material(Real density, Real youngs_modulus, Real poissons_ratio)
 {

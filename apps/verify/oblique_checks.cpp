@@ -9,8 +9,10 @@
 #include <array>
 #include <numbers>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 constexpr int steps_per_contact = 10000;
 constexpr Real limit = 2e-3; // of the reference, as the gate of these tests is stated
@@ -42,7 +44,8 @@ void add_constant_speed(std::vector<VerifyCase>& rows, std::string const& name, 
         Real const angle = degrees * std::numbers::pi_v<Real> / 180;
         SphereOnPlane const after = rebound({material, TangentialLaw::secant, DampingLaw::restitution, 2.5e-3,
                                              3.9 * std::cos(angle), 3.9 * std::sin(angle), 0});
-        std::string const label = fmt::format("{} at {} degrees", name, degrees), source = "Chung & Ooi 2011 test 4, recomputed";
+        std::string const label = fmt::format("{} at {} degrees", name, degrees),
+                          source = "Chung & Ooi 2011 test 4, recomputed";
         rows.push_back(compare({label, "tangential restitution", source}, after.velocity.x / (3.9 * std::sin(angle)),
                                tangential_restitution, limit));
         rows.push_back(compare({label, "spin [rad/s]", source}, -after.spin.y, spin, limit));
@@ -69,11 +72,17 @@ std::vector<VerifyCase> check_oblique_impacts()
 {
     std::vector<VerifyCase> rows;
     add_constant_speed(rows, "alumina", with(make_material(4000, 3.8e11, 0.23), 0.98, 0.092),
-                       {{1, 0.985807891, -0.965977152}, {5, 0.94728661, -17.917671}, {10, 0.702189594, -201.685514},
-                        {20, 0.62262207, -503.376329}, {30, 0.684989232, -614.270997}, {60, 0.89482557, -355.22654}});
+                       {{1, 0.985807891, -0.965977152},
+                        {5, 0.94728661, -17.917671},
+                        {10, 0.702189594, -201.685514},
+                        {20, 0.62262207, -503.376329},
+                        {30, 0.684989232, -614.270997},
+                        {60, 0.89482557, -355.22654}});
     add_constant_normal_speed(rows, "secant", TangentialLaw::secant, {{0.1, 0.0954776858}, {0.5, 0.475218498}, {8, 1}});
-    add_constant_normal_speed(rows, "rescaled", TangentialLaw::rescaled, {{0.1, 0.0623604662}, {0.5, 0.31180132}, {8, 1}});
-    add_constant_normal_speed(rows, "incremental", TangentialLaw::incremental, {{0.1, 0.0891996118}, {0.5, 0.363700918}, {8, 1}});
+    add_constant_normal_speed(rows, "rescaled", TangentialLaw::rescaled,
+                              {{0.1, 0.0623604662}, {0.5, 0.31180132}, {8, 1}});
+    add_constant_normal_speed(rows, "incremental", TangentialLaw::incremental,
+                              {{0.1, 0.0891996118}, {0.5, 0.363700918}, {8, 1}});
     return rows;
 }
 

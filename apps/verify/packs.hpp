@@ -4,18 +4,19 @@
 
 #include "apps/verify/grain_system.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 struct PackSettings {
     int count = 0;
-    Real box = 1e-2;         // m, edge; grains may overlap
-    Real largest = 0;        // m, diameter
-    Real size_ratio = 1;     // largest over smallest, uniform in the logarithm
-    Real speed = 0;          // m/s, most along an axis
-    Real spin = 0;           // rad/s, most about an axis
-    Real overhang = 0;       // m by which centres may lie outside the box
+    Real box = 1e-2;     // m, edge; grains may overlap
+    Real largest = 0;    // m, diameter
+    Real size_ratio = 1; // largest over smallest, uniform in the logarithm
+    Real speed = 0;      // m/s, most along an axis
+    Real spin = 0;       // rad/s, most about an axis
+    Real overhang = 0;   // m by which centres may lie outside the box
     std::uint64_t seed = 1;
-    bool lattice = false;    // jittered lattice sites instead of anywhere
+    bool lattice = false; // jittered lattice sites instead of anywhere
 };
 
 std::vector<Grain> random_pack(PackSettings const& settings);

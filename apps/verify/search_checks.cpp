@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-namespace arenite {
+namespace arenite
+{
 
 std::vector<VerifyCase> check_pairs_found()
 {
@@ -24,14 +25,16 @@ std::vector<VerifyCase> check_pairs_found()
             for (int axis = 0; axis < periodic_axes; ++axis) settings.box.periodic[axis] = true;
             settings.skin = 1e-4;
             GrainSystem const system = make_system(settings);
-            rows.push_back(compare_error({fmt::format("800 grains, size ratio {}, {} periodic axes", ratio, periodic_axes),
-                                          "wrong pairs", "every two grains"},
-                                         wrong_pairs(system), 0));
+            rows.push_back(
+                compare_error({fmt::format("800 grains, size ratio {}, {} periodic axes", ratio, periodic_axes),
+                               "wrong pairs", "every two grains"},
+                              wrong_pairs(system), 0));
         }
     return rows;
 }
 
-namespace {
+namespace
+{
 
 /// Two rough grains that hold on to each other and travel along x, in a box that is closed or periodic.
 std::vector<Grain> travel(bool periodic)
@@ -68,11 +71,14 @@ std::vector<VerifyCase> check_periodic_crossing()
     }
     bool const crossed = wrapped[0].position.x < edge / 2 && wrapped[1].position.x < edge / 2;
     return {expect_true({"bonded pair crosses a periodic face", "crossed", "set-up"}, crossed),
-            compare_error({"bonded pair crosses a periodic face", "position / edge", "the same pair in the open"}, place, 1e-12),
-            compare_error({"bonded pair crosses a periodic face", "velocity and spin", "the same pair in the open"}, motion, 1e-12)};
+            compare_error({"bonded pair crosses a periodic face", "position / edge", "the same pair in the open"},
+                          place, 1e-12),
+            compare_error({"bonded pair crosses a periodic face", "velocity and spin", "the same pair in the open"},
+                          motion, 1e-12)};
 }
 
-namespace {
+namespace
+{
 
 SystemSettings rough_pack(bool periodic)
 {
@@ -129,15 +135,21 @@ std::vector<VerifyCase> check_independence()
         often.rebuild_interval = 7;
         mixed.grains = shuffled(mixed.grains, 5);
         fused.fused = true;
-        for (auto const& [what, changed] : {std::pair{"2.5 times the skin", wide}, std::pair{"a search every 7 steps", often}}) {
+        for (auto const& [what, changed] :
+             {std::pair{"2.5 times the skin", wide}, std::pair{"a search every 7 steps", often}}) {
             GrainSystem const other = run_pack(changed);
             // A grain that crossed a face is shifted at the next search; rounding and 600 steps of collisions.
             if (periodic)
-                rows.push_back(compare_error({name, fmt::format("distance / edge with {}", what), source}, distance_between(reference, other), 1e-9));
-            else rows.push_back(expect_true({name, fmt::format("equal bits with {}", what), source}, state_hash(other) == hash));
+                rows.push_back(compare_error({name, fmt::format("distance / edge with {}", what), source},
+                                             distance_between(reference, other), 1e-9));
+            else
+                rows.push_back(
+                    expect_true({name, fmt::format("equal bits with {}", what), source}, state_hash(other) == hash));
         }
-        rows.push_back(expect_true({name, "equal bits with rows shuffled", source}, state_hash(run_pack(mixed)) == hash));
-        rows.push_back(expect_true({name, "equal bits with kick and drift fused", source}, state_hash(run_pack(fused)) == hash));
+        rows.push_back(
+            expect_true({name, "equal bits with rows shuffled", source}, state_hash(run_pack(mixed)) == hash));
+        rows.push_back(
+            expect_true({name, "equal bits with kick and drift fused", source}, state_hash(run_pack(fused)) == hash));
     }
     return rows;
 }

@@ -7,17 +7,18 @@
 #include "apps/verify/materials.hpp"
 #include "kernels/contact/contact_laws.hpp"
 
-namespace arenite {
+namespace arenite
+{
 
 struct SphereOnPlane {
     PairConstants pair;
     ContactScale scale;
     Real radius = 0, mass = 0;
-    Vec3 gravity;                     // m/s2
-    Vec3 position, velocity, spin;    // position.z = 0 is the touch
+    Vec3 gravity;                  // m/s2
+    Vec3 position, velocity, spin; // position.z = 0 is the touch
     ContactState state;
     Vec3 force, torque;
-    CementedSand law;                 // runs dry pairs too
+    CementedSand law; // runs dry pairs too
 };
 
 inline SphereOnPlane make_sphere_on_plane(PairConstants const& pair, MaterialSettings const& material, Real radius)
@@ -86,10 +87,13 @@ struct HertzImpact {
 inline HertzImpact hertz_impact(ContactScale const& scale, Real effective_youngs_modulus, Real speed)
 {
     Real const root = std::sqrt(scale.effective_radius);
-    Real const overlap = std::pow(15 * scale.effective_mass * speed * speed / (16 * effective_youngs_modulus * root), Real(0.4));
+    Real const overlap =
+        std::pow(15 * scale.effective_mass * speed * speed / (16 * effective_youngs_modulus * root), Real(0.4));
     // 4 sqrt(pi) Gamma(2/5) / (5 Gamma(9/10)) = 2.943275...
-    Real const factor = 4 * std::sqrt(Real(3.14159265358979324)) * std::tgamma(Real(0.4)) / (5 * std::tgamma(Real(0.9)));
-    return {overlap, Real(4) / 3 * effective_youngs_modulus * root * std::pow(overlap, Real(1.5)), factor * overlap / speed};
+    Real const factor =
+        4 * std::sqrt(Real(3.14159265358979324)) * std::tgamma(Real(0.4)) / (5 * std::tgamma(Real(0.9)));
+    return {overlap, Real(4) / 3 * effective_youngs_modulus * root * std::pow(overlap, Real(1.5)),
+            factor * overlap / speed};
 }
 
 } // namespace arenite

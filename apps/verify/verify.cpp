@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 std::string json_number(Real value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null"; }
 
@@ -72,11 +74,11 @@ std::string verification_table(std::vector<VerifyCase> const& cases)
         name = std::max(name, row.name.size());
         quantity = std::max(quantity, row.quantity.size());
     }
-    std::string table = fmt::format("{:<10} {:<{}} {:<{}} {:>15} {:>15} {:>9} {:>9}       source\n", "group", "case", name,
-                                    "quantity", quantity, "value", "reference", "error", "limit");
+    std::string table = fmt::format("{:<10} {:<{}} {:<{}} {:>15} {:>15} {:>9} {:>9}       source\n", "group", "case",
+                                    name, "quantity", quantity, "value", "reference", "error", "limit");
     for (VerifyCase const& row : cases)
-        table += fmt::format("{:<10} {:<{}} {:<{}} {:>15.9g} {:>15.9g} {:>9.1e} {:>9.1e} {:<5} {}\n", row.group, row.name, name,
-                             row.quantity, quantity, row.value, row.reference, row.error, row.limit,
+        table += fmt::format("{:<10} {:<{}} {:<{}} {:>15.9g} {:>15.9g} {:>9.1e} {:>9.1e} {:<5} {}\n", row.group,
+                             row.name, name, row.quantity, quantity, row.value, row.reference, row.error, row.limit,
                              row.pass ? "ok" : "FAIL", row.source);
     auto const failed = std::count_if(cases.begin(), cases.end(), [](VerifyCase const& row) { return !row.pass; });
     return table + fmt::format("{} checks, {} failed\n", cases.size(), failed);

@@ -11,17 +11,18 @@
 #include <string>
 #include <vector>
 
-namespace arenite {
+namespace arenite
+{
 
 struct VerifyCase {
     std::string group;
-    std::string name;      // what is set up
-    std::string quantity;  // what is compared, with its unit
+    std::string name;     // what is set up
+    std::string quantity; // what is compared, with its unit
     Real value = 0;
     Real reference = 0;
-    Real error = 0;        // relative; absolute where the reference is 0
+    Real error = 0; // relative; absolute where the reference is 0
     Real limit = 0;
-    std::string source;    // author and year of the reference, or "closed form"
+    std::string source; // author and year of the reference, or "closed form"
     bool pass = false;
 };
 

@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-namespace arenite {
+namespace arenite
+{
 
 /// What a row says beside its numbers.
 struct VerifyLabel {
@@ -22,7 +23,10 @@ inline VerifyCase compare(VerifyLabel const& label, Real value, Real reference, 
 }
 
 /// A measured error, which should be 0.
-inline VerifyCase compare_error(VerifyLabel const& label, Real error, Real limit) { return compare(label, error, 0, limit); }
+inline VerifyCase compare_error(VerifyLabel const& label, Real error, Real limit)
+{
+    return compare(label, error, 0, limit);
+}
 
 /// Something that has to be exactly so: 1 is yes.
 inline VerifyCase expect_true(VerifyLabel const& label, bool holds) { return compare(label, holds ? 1 : 0, 1, 0); }

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 SystemSettings rough_pair(Grain const& a, Grain const& b)
 {
@@ -101,7 +103,8 @@ TEST(ContactForces, InADeformingBoxAreTheSameEverywhere)
     }
     expect_equal(loads[1], loads[0], 1e-9);
     settings.box.strain_rate = {};
-    EXPECT_GT(norm(loads_of(settings).force[0] - loads[0].force[0]), 1e-6 * norm(loads[0].force[0])); // and they feel it
+    EXPECT_GT(norm(loads_of(settings).force[0] - loads[0].force[0]),
+              1e-6 * norm(loads[0].force[0])); // and they feel it
 }
 
 TEST(ContactForces, ConcentricGrainsPartAlongZ)
@@ -122,7 +125,8 @@ TEST(ContactForces, ConcentricGrainsPartAlongZ)
 // A grain inside a larger one: arms of (r_i^2 - r_j^2) / distance would grow without bound.
 TEST(ContactForces, ArmsStayWithinTheGrains)
 {
-    Grain const large = make_grain(0, {0, 0, 0}, 1e-3, {}, {0, 0, 1e3}), small = make_grain(1, {1e-6, 0, 0}, 0.1e-3, {0, 1, 0});
+    Grain const large = make_grain(0, {0, 0, 0}, 1e-3, {}, {0, 0, 1e3}),
+                small = make_grain(1, {1e-6, 0, 0}, 0.1e-3, {0, 1, 0});
     Loads const loads = loads_of(rough_pair(large, small));
     EXPECT_LE(norm(loads.torque[0]), 0.5e-3 * norm(loads.force[0]) * (1 + 1e-12));
     EXPECT_LE(norm(loads.torque[1]), 0.05e-3 * norm(loads.force[1]) * (1 + 1e-12));
@@ -130,7 +134,8 @@ TEST(ContactForces, ArmsStayWithinTheGrains)
 
 TEST(ContactForces, SeparationForgetsTheSpring)
 {
-    SystemSettings settings = rough_pair(make_grain(0, {0, 0, 0}, 0.2e-3), make_grain(1, {0.1999e-3, 0, 0}, 0.2e-3, {}, {0, 0, 5e3}));
+    SystemSettings settings =
+        rough_pair(make_grain(0, {0, 0, 0}, 0.2e-3), make_grain(1, {0.1999e-3, 0, 0}, 0.2e-3, {}, {0, 0, 5e3}));
     settings.contact.normal = NormalLaw::hertz;
     GrainSystem system = make_system(settings);
     evaluate(system);

@@ -9,8 +9,10 @@
 #include <cstring>
 #include <limits>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 SystemSettings open_system(std::vector<Grain> grains)
 {
@@ -155,7 +157,8 @@ void drop_grain(GrainSystem& system, GrainId gone)
     auto const id = Kokkos::create_mirror_view_and_copy(HostSpace(), system.particles.id);
     for (int row = 0; row < system.particles.count; ++row) host(row) = id(row) != gone;
     Kokkos::deep_copy(keep, host);
-    search_contacts(system.particles, system.settings.box, {system.settings.skin, system.contacts.needs, keep}, system.contacts);
+    search_contacts(system.particles, system.settings.box, {system.settings.skin, system.contacts.needs, keep},
+                    system.contacts);
 }
 
 // The largest grain sets the size levels; when it leaves, the other contacts must not lose their memory.

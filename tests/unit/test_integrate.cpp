@@ -5,8 +5,10 @@
 
 #include <limits>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 SystemSettings falling(std::vector<Grain> grains)
 {
@@ -21,7 +23,8 @@ SystemSettings falling(std::vector<Grain> grains)
 
 TEST(Integrate, HeldGrainsStayAndPrescribedOnesKeepTheirMotion)
 {
-    std::vector<Grain> grains{make_grain(0, {0, 0, 0}, 1e-3, {1, 0, 0}, {5, 0, 0}), make_grain(1, {1e-2, 0, 0}, 1e-3, {1, 0, 0}, {5, 0, 0}),
+    std::vector<Grain> grains{make_grain(0, {0, 0, 0}, 1e-3, {1, 0, 0}, {5, 0, 0}),
+                              make_grain(1, {1e-2, 0, 0}, 1e-3, {1, 0, 0}, {5, 0, 0}),
                               make_grain(2, {2e-2, 0, 0}, 1e-3, {1, 0, 0}, {5, 0, 0})};
     grains[0].motion = Motion::held;
     grains[1].motion = Motion::prescribed;
@@ -61,7 +64,8 @@ TEST(Integrate, TellsOfAVelocityThatIsNotANumber)
 
 TEST(Integrate, LocalDampingTakesFromWhatDrivesAndAddsToWhatBrakes)
 {
-    SystemSettings const settings = falling({make_grain(0, {0, 0, 0}, 1e-3, {0, 0, 1}), make_grain(1, {1, 0, 0}, 1e-3, {0, 0, -1})});
+    SystemSettings const settings =
+        falling({make_grain(0, {0, 0, 0}, 1e-3, {0, 0, 1}), make_grain(1, {1, 0, 0}, 1e-3, {0, 0, -1})});
     GrainSystem system = make_system(settings);
     StepSettings step;
     step.dt = settings.dt;

@@ -7,8 +7,10 @@
 
 #include <limits>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 TEST(VerifyTable, ErrorsAreRelativeUnlessTheReferenceIsZero)
 {
@@ -31,7 +33,8 @@ TEST(VerifyTable, PrintsWhatFailed)
 
 TEST(VerifyTable, JsonEscapesAndHasNoNan)
 {
-    std::string const json = verification_json({compare({"say \"hi\"", "q", "s"}, std::numeric_limits<Real>::quiet_NaN(), 1, 0)});
+    std::string const json =
+        verification_json({compare({"say \"hi\"", "q", "s"}, std::numeric_limits<Real>::quiet_NaN(), 1, 0)});
     EXPECT_NE(json.find("say \\\"hi\\\""), std::string::npos);
     EXPECT_NE(json.find("\"value\": null"), std::string::npos);
     EXPECT_NE(json.find("\"pass\": false"), std::string::npos);
@@ -43,7 +46,8 @@ TEST(VerifyTable, UnknownGroupNamesTheKnown)
         run_verification("contcat");
         FAIL();
     } catch (InputError const& error) {
-        for (VerifyGroup const& group : verify_groups()) EXPECT_NE(std::string(error.what()).find(group.name), std::string::npos);
+        for (VerifyGroup const& group : verify_groups())
+            EXPECT_NE(std::string(error.what()).find(group.name), std::string::npos);
     }
 }
 
