@@ -124,7 +124,7 @@ std::vector<VerifyCase> check_rigid_turns()
     Real const spin = 1e-8 / (0.23e-3 * 1e-8);
     TurnDrift const in_plane = turn_loaded_pair({0, 0, 1}, {0, 0, spin});
     TurnDrift const axial = turn_loaded_pair({0, 0, 1}, {0, spin, 0});
-    TurnDrift const skew = turn_loaded_pair({0.6, 0, 0.8}, {0, spin, 0});
+    TurnDrift const skew = turn_loaded_pair({0.28, 0, 0.96}, {0, spin, 0});
     std::string const source = "closed form: a rigid turn leaves |F_t|", size = "change of |F_t| a turn",
                       direction = "change of F_t a turn";
     return {compare_error({"pair turned 10 times, F_t in the plane", size, source}, in_plane.size, 1e-8),
