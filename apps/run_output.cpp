@@ -40,7 +40,7 @@ double seconds_since(std::chrono::steady_clock::time_point start)
 RunOutput::RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan const& plan,
                      std::optional<ResumePoint> const& resume, bool quiet)
     : folder_(std::move(folder)), scene_(scene), plan_(plan), history_(folder_, columns_of(scene), resume),
-      ledger_(folder_, resume), fields_(folder_, resume), run_begin_(std::chrono::steady_clock::now()), quiet_(quiet)
+      ledger_(folder_, resume), probes_(folder_, scene.output, resume), fields_(folder_, resume), run_begin_(std::chrono::steady_clock::now()), quiet_(quiet)
 {
     fields_.choose_grain_fields(scene.output.grain_fields);
     fields_.choose_fluid_fields(scene.output.fluid_fields);
@@ -107,6 +107,14 @@ void RunOutput::write_history(RunState& state, Look const& look)
     if (state.fluid) row.flow = state.fluid->report;
     if (scene_.output.energies) row.extra = {look.contacts.elastic, look.contacts.tangential, look.grains.rotation};
     history_.add(row);
+    probes_.write(state, planned_->label);
+}
+
+void RunOutput::flush_tables()
+{
+    history_.flush();
+    ledger_.flush();
+    probes_.flush();
 }
 
 void RunOutput::write_fields(RunState& state)
@@ -178,8 +186,7 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
     s.values["time_step_over_contact_limit"] = watch.highest_step_ratio();
     s.values["searches"] = static_cast<Real>(setup.searches);
     if (state.tuned_friction >= 0) s.values["tuned_friction"] = state.tuned_friction;
-    history_.flush();
-    ledger_.flush();
+    flush_tables();
     say(fmt::format("{}: {} after {:.6g} s and {} steps; porosity {:.4f}, {:.2f} contacts a grain, {} bonds, kinetic over elastic energy "
                     "{:.2e}; {:.1f} s, {:.3g} particle-steps/s",
                     planned_->label, ended_by, s.simulated_time, s.steps, s.porosity.value_or(1), s.coordination.value_or(0), s.bonds,
@@ -191,8 +198,7 @@ bool RunOutput::checkpoint_is_due(RunState const& state) const { return OutputCa
 
 void RunOutput::write_checkpoint(RunState& state, bool stage_end)
 {
-    history_.flush();
-    ledger_.flush();
+    flush_tables();
     if (!can_write_checkpoints()) return;
     save_checkpoint(checkpoint_path(folder_, state.clock.step), scene_, plan_, state, stage_end);
     prune_checkpoints(folder_);

@@ -2,6 +2,7 @@
 // What a run writes, and when: history, fields, checkpoints, the ledger, the summary.
 #pragma once
 
+#include "apps/probes.hpp"
 #include "apps/run_state.hpp"
 #include "apps/stage_plan.hpp"
 #include "io/field_output.hpp"
@@ -55,6 +56,7 @@ private:
     void write_history(RunState& state, Look const& look);
     void write_fields(RunState& state);
     void fluid_warnings(RunState const& state);
+    void flush_tables();
     StageSummary& stage() { return summary_.stages.back(); }
 
     std::filesystem::path folder_;
@@ -62,6 +64,7 @@ private:
     StagePlan const& plan_;
     History history_;
     ProducedLedger ledger_;
+    Probes probes_;
     FieldOutput fields_;
     Progress progress_;
     RunSummary summary_;
