@@ -66,7 +66,7 @@ if(arenite_missing)
   list(JOIN arenite_missing "\n  " arenite_missing)
   list(JOIN arenite_missing_apt " " arenite_missing_apt)
   if(arenite_missing_apt)
-    set(arenite_apt_hint "On Debian or Ubuntu:   apt-get install ${arenite_missing_apt}\n")
+    set(arenite_apt_hint "On Debian or Ubuntu:\n  apt-get install ${arenite_missing_apt}\n")
   endif()
   message(FATAL_ERROR "arenite misses:\n  ${arenite_missing}\n${arenite_apt_hint}"
     "Sources in ${ARENITE_DEPS_DIR} are used where nothing is installed:\n"
