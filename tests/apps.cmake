@@ -1,0 +1,7 @@
+# The driver. One thread: some hundred grains gain nothing from more.
+get_target_property(output_sources arenite_output SOURCES)
+if("checkpoint_hdf5.cpp" IN_LIST output_sources) # what it compares are checkpoints
+  arenite_test(run_small_scene smoke smoke/run_small_scene.cpp LINK arenite_driver nlohmann_json::nlohmann_json)
+  target_compile_definitions(run_small_scene PRIVATE ARENITE_TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/scenes")
+  set_tests_properties(run_small_scene PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+endif()

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// All four stages of a small sample, through the driver: the ledger against the mass that is missing, bonds, stress and
+// porosity at the ends of stages, and a resumed run against one that went on, bit for bit.
+#include "apps/run.hpp"
+#include "io/checkpoint_folder.hpp"
+#include "io/time_series.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace arenite;
+
+std::string const scene = ARENITE_TEST_SCENES "/small.toml";
+
+fs::path fresh_folder(std::string const& name)
+{
+    fs::path const folder = fs::temp_directory_path() / ("arenite_small_" + name);
+    fs::remove_all(folder);
+    return folder;
+}
+
+/// One whole run, made once.
+fs::path const& whole_run()
+{
+    static fs::path const folder = [] {
+        fs::path const f = fresh_folder("whole");
+        RunOptions options;
+        options.scene = scene;
+        options.folder = f.string();
+        options.quiet = true;
+        EXPECT_EQ(run_scene(options), 0);
+        return f;
+    }();
+    return folder;
+}
+
+nlohmann::json stage_of(std::string const& name)
+{
+    std::ifstream file(whole_run() / "summary.json");
+    for (auto const& stage : nlohmann::json::parse(file)["stages"])
+        if (stage["name"] == name) return stage;
+    return {};
+}
+
+double total_mass(fs::path const& checkpoint)
+{
+    CheckpointReader const file(checkpoint);
+    RecordView velocity; // the mass is its fourth component
+    file.view("particles/velocity", velocity);
+    auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), velocity);
+    double mass = 0;
+    for (std::size_t i = 0; i < host.extent(0); ++i) mass += host(i, 3);
+    return mass;
+}
+
+std::vector<std::vector<std::string>> rows_of(fs::path const& csv)
+{
+    std::vector<std::vector<std::string>> rows;
+    std::ifstream file(csv);
+    for (std::string line; std::getline(file, line);) rows.push_back(split_csv_line(line));
+    return rows;
+}
+
+template <class Type> void expect_same_array(CheckpointReader const& a, CheckpointReader const& b, std::string const& name)
+{
+    Type left, right;
+    a.view(name, left);
+    b.view(name, right);
+    ASSERT_EQ(left.span(), right.span()) << name;
+    auto const l = Kokkos::create_mirror_view_and_copy(HostSpace(), left), r = Kokkos::create_mirror_view_and_copy(HostSpace(), right);
+    EXPECT_EQ(std::memcmp(l.data(), r.data(), l.span() * sizeof(typename Type::value_type)), 0) << name << " differs";
+}
+
+/// Runs on from a checkpoint in a folder of its own and compares the last states.
+void expect_resume_is_exact(fs::path const& from)
+{
+    fs::path const folder = fresh_folder("resumed");
+    fs::create_directories(folder);
+    fs::copy(from, folder / from.filename());
+    RunOptions options;
+    options.scene = scene;
+    options.folder = folder.string();
+    options.resume = true;
+    options.quiet = true;
+    ASSERT_EQ(run_scene(options), 0);
+    CheckpointReader const gone_on(list_checkpoints(whole_run()).back()), resumed(list_checkpoints(folder).back());
+    ASSERT_EQ(gone_on.stamp().step, resumed.stamp().step);
+    for (char const* name : {"particles/position", "particles/velocity", "particles/spin", "contacts/spring"})
+        expect_same_array<RecordView>(gone_on, resumed, name);
+    expect_same_array<View1<GrainId>>(gone_on, resumed, "particles/id");
+    expect_same_array<View1<std::uint8_t>>(gone_on, resumed, "contacts/adhering");
+    expect_same_array<FieldView>(gone_on, resumed, "fluid/fluid_pressure");
+    fs::remove_all(folder);
+}
+
+TEST(SmallScene, CompressionEndsAtItsStressAndPorosity)
+{
+    auto const end = stage_of("compression/relax")["end_state"];
+    EXPECT_NEAR(end["porosity"].get<double>(), 0.41, 0.005);
+    EXPECT_NEAR(end["walls"]["top"]["stress"].get<double>(), 1e6, 1e4);
+}
+
+TEST(SmallScene, PerforationBreaksBonds)
+{
+    auto const bonds = [](char const* stage) { return stage_of(stage)["end_state"]["bonds"].get<int>(); };
+    EXPECT_LT(bonds("perforation"), bonds("compression/relax"));
+}
+
+TEST(SmallScene, LedgerHoldsTheMassThatIsMissing)
+{
+    auto const rows = rows_of(whole_run() / "produced.csv");
+    ASSERT_GT(rows.size(), 1u) << "no sand came out";
+    std::size_t mass_column = 0;
+    while (rows[0].at(mass_column) != "mass") ++mass_column;
+    double ledger = 0;
+    for (std::size_t r = 1; r < rows.size(); ++r) ledger += std::stod(rows[r].at(mass_column));
+    auto const checkpoints = list_checkpoints(whole_run());
+    double const missing = total_mass(checkpoints[1]) - total_mass(checkpoints.back());
+    EXPECT_NEAR(ledger, missing, 1e-12 * total_mass(checkpoints[1])); // a sum of some hundred masses
+}
+
+TEST(SmallScene, WritesEverySeries)
+{
+    for (char const* name : {"particles.pvd", "fluid.pvd", "streamlines.pvd", "walls.pvd", "history.csv", "summary.json", "scene.toml"})
+        EXPECT_TRUE(fs::exists(whole_run() / name)) << name;
+}
+
+TEST(SmallScene, ResumeInEveryStageIsExact)
+{
+    for (fs::path const& checkpoint : list_checkpoints(whole_run())) {
+        SCOPED_TRACE(checkpoint.string());
+        if (checkpoint != list_checkpoints(whole_run()).back()) expect_resume_is_exact(checkpoint);
+    }
+}
+
+} // namespace
