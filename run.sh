@@ -20,7 +20,7 @@ if [ $# -gt 0 ]; then
 fi
 
 . "$(dirname "${BASH_SOURCE[0]}")/cmake/setup.sh"
-arenite_set_up
+arenite_set_up arenite # not the tests: they are most of the build
 scene=${scene:-$arenite_root/scenes/demo.toml}
 name=$(basename "$scene" .toml)
 output=$arenite_root/runs/$name

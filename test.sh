@@ -4,6 +4,6 @@
 set -euo pipefail
 
 . "$(dirname "${BASH_SOURCE[0]}")/cmake/setup.sh"
-arenite_set_up
+arenite_set_up all
 say "Testing (preset openmp)"
 step "Run one again, with its output: ctest --preset openmp -V -R <name>" ctest --preset openmp "$@"

@@ -1,5 +1,5 @@
 # Sourced by run.sh and test.sh: what both do before their own work. Leaves the shell in the repository.
-#   arenite_set_up    installs what is missing (Debian and its kin), fetches deps/, configures and builds
+#   arenite_set_up TARGET    installs what is missing (Debian and its kin), fetches deps/, configures, builds TARGET
 
 arenite_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 arenite_build=$arenite_root/build/openmp
@@ -88,5 +88,5 @@ arenite_set_up() {
     fi
     say "Building (preset openmp)"
     step "The first error above says why; a fresh start: rm -rf '$arenite_build'" \
-        cmake --build --preset openmp ${ARENITE_BUILD_JOBS:+--parallel "$ARENITE_BUILD_JOBS"}
+        cmake --build --preset openmp --target "$1" ${ARENITE_BUILD_JOBS:+--parallel "$ARENITE_BUILD_JOBS"}
 }
