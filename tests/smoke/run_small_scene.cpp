@@ -45,7 +45,8 @@ fs::path const& whole_run()
 nlohmann::json stage_of(std::string const& name)
 {
     std::ifstream file(whole_run() / "summary.json");
-    for (auto const& stage : nlohmann::json::parse(file)["stages"])
+    nlohmann::json const summary = nlohmann::json::parse(file);
+    for (auto const& stage : summary["stages"])
         if (stage["name"] == name) return stage;
     return {};
 }
