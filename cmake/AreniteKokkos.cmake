@@ -60,6 +60,8 @@ elseif(EXISTS ${ARENITE_DEPS_DIR}/kokkos-kernels/CMakeLists.txt)
   set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
   add_subdirectory(${ARENITE_DEPS_DIR}/kokkos-kernels ${PROJECT_BINARY_DIR}/deps/kokkos-kernels)
   set(CMAKE_MESSAGE_LOG_LEVEL "${arenite_log_level}")
+  get_directory_property(KokkosKernels_VERSION DIRECTORY ${ARENITE_DEPS_DIR}/kokkos-kernels
+    DEFINITION KokkosKernels_VERSION)
 else()
   arenite_report_missing("Kokkos Kernels 4.5 or newer" ""
     "-DKokkosKernels_ROOT=<its prefix>, or run cmake/fetch_deps.sh")

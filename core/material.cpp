@@ -53,6 +53,8 @@ PairConstants make_pair(MaterialSettings const& a, MaterialSettings const& b, Co
     Real const shear = shear_compliance(a) + shear_compliance(b);
     pair.effective_youngs_modulus = normal > 0 ? 1 / normal : 0;
     pair.effective_shear_modulus = shear > 0 ? 1 / shear : 0;
+    if (normal > 0 && shear > 0)
+        pair.tangential_damping_ratio = 2 * std::sqrt(pair.effective_shear_modulus / pair.effective_youngs_modulus);
     // Both restitutions agree or an interaction names the pair: the reader has made sure of it.
     if (contact.damping != DampingLaw::none)
         pair.damping_factor = 2 * std::sqrt(Real(5) / 6) * damping_ratio(a.restitution);

@@ -15,6 +15,7 @@ struct PairConstants {
     Real effective_youngs_modulus = 0; // E*, Pa: 1/E* = (1-nu_i^2)/E_i + (1-nu_j^2)/E_j
     Real effective_shear_modulus = 0;  // G*, Pa: 1/G* = (2-nu_i)/G_i + (2-nu_j)/G_j, G = E/(2(1+nu))
     Real damping_factor = 0;           // 2 sqrt(5/6) beta, -: F_d = damping_factor sqrt(S m*) v
+    Real tangential_damping_ratio = 0; // sqrt(S_t / S_n) = 2 sqrt(G*/E*), -: tangential over normal dashpot
     Real friction = 0;                 // mu, -
     // JKR, 0 where the pair does not adhere. gamma of paper eq 12: the work of adhesion is 2 gamma.
     Real surface_energy = 0;           // gamma, J/m2

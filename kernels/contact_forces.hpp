@@ -73,13 +73,14 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
             Vec3 const spring = vector_of(list.spring, c);
             state.previous_radius = list.spring(c, 3);
             // The grains came here along straight lines: the last offset is known exactly.
-            Vec3 previous = normalized(offset - dt * approach);
+            Vec3 previous = normalized_near(offset - dt * approach, inverse);
             // Centres that passed each other within the step have no turn to follow.
             if (!(dot(previous, contact.normal) > 0)) previous = contact.normal;
             Vec3 const spin_i = step_spin(vector_of(spin, i), dt), spin_j = step_spin(vector_of(spin, j), dt);
-            contact.velocity = surface_velocity(approach, arm_i * spin_i + arm_j * spin_j, previous, contact.normal);
-            Real const twist = Real(0.25) * dt * dot(spin_i + spin_j, previous + contact.normal);
-            state.spring = transport_spring(spring, previous, contact.normal, twist);
+            ContactTurn const turn = contact_turn(previous, contact.normal);
+            contact.velocity = surface_velocity(approach, arm_i * spin_i + arm_j * spin_j, turn, contact.normal);
+            Real const twist = Real(0.25) * dt * dot(spin_i + spin_j, turn.sum);
+            state.spring = transport_spring(spring, turn, contact.normal, twist);
         }
         Vec3 const force = law(contact, law.pairs(material(i), material(j)), state, dt);
         store(c, contact, state, force, arm_i, arm_j);

@@ -34,7 +34,7 @@ template <class Normal, class Tangential> struct ContactLaw {
     KOKKOS_FUNCTION Vec3 operator()(ContactGeometry const& contact, PairConstants const& pair, ContactState& state,
                                     Real dt) const
     {
-        NormalResponse const response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
+        NormalResponse response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
         state.touching = response.touches;
         if (!response.touches) {
             state.spring = {};
@@ -43,12 +43,12 @@ template <class Normal, class Tangential> struct ContactLaw {
         }
         Real const normal_velocity = dot(contact.velocity, contact.normal);
         Real const stiffness = 2 * pair.effective_youngs_modulus * response.contact_radius;
-        Real const dashpot = pair.damping_factor * Kokkos::sqrt(stiffness * contact.scale.effective_mass);
-        Real normal_force = response.force - dashpot * normal_velocity; // paper eq 32, velocity outside the root
+        response.dashpot = pair.damping_factor * Kokkos::sqrt(stiffness * contact.scale.effective_mass);
+        Real normal_force = response.force - response.dashpot * normal_velocity; // paper eq 32, velocity outside the root
         if (pair.clip_attraction && !(response.pull_off_force > 0)) normal_force = Kokkos::fmax(normal_force, Real(0));
         Vec3 const slip = contact.velocity - normal_velocity * contact.normal;
-        Vec3 const tangential = Tangential{}(slip, response, normal_force, contact.scale, pair, state.spring,
-                                             state.previous_radius, dt);
+        Vec3 const tangential =
+            Tangential{}(slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
         return normal_force * contact.normal + tangential;
     }
 };

@@ -18,6 +18,7 @@ struct NormalResponse {
     Real contact_radius = 0; // a, m
     Real pull_off_force = 0; // F_C = 3 pi gamma R*, N, positive; 0 where the contact does not adhere
     bool touches = false;
+    Real dashpot = 0;        // N s/m, 2 sqrt(5/6) beta sqrt(S_n m*); set by the contact law
 };
 
 } // namespace arenite

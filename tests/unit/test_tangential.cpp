@@ -42,7 +42,7 @@ TEST(Tangential, RigidTurnDoesNotSlip)
         Vec3 const after = c * before + s * cross(axis, before) + ((1 - c) * dot(axis, before)) * axis;
         Vec3 const spin = (angle / dt) * axis;
         Vec3 const velocity =
-            surface_velocity((distance / dt) * (after - before), distance * step_spin(spin, dt), before, after);
+            surface_velocity((distance / dt) * (after - before), distance * step_spin(spin, dt), contact_turn(before, after), after);
         Vec3 const slip = velocity - dot(velocity, after) * after;
         // The series of the tangent leaves angle^5 / 120; the difference of the normals leaves its rounding.
         EXPECT_LT(norm(slip) * dt / distance, std::pow(angle, 5) / 100 + 1e-15);
