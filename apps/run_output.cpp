@@ -186,6 +186,9 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
     s.values["time_step_over_contact_limit"] = watch.highest_step_ratio();
     s.values["searches"] = static_cast<Real>(setup.searches);
     if (state.tuned_friction >= 0) s.values["tuned_friction"] = state.tuned_friction;
+    if (watch.highest_step_ratio() > 1)
+        warn("time_step", fmt::format("{}: the stiffest contact would need a step {:.2f} times smaller to be surely stable", planned_->label,
+                                      watch.highest_step_ratio()));
     flush_tables();
     say(fmt::format("{}: {} after {:.6g} s and {} steps; porosity {:.4f}, {:.2f} contacts a grain, {} bonds, kinetic over elastic energy "
                     "{:.2e}; {:.1f} s, {:.3g} particle-steps/s",

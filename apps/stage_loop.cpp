@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "apps/stage_loop.hpp"
 
-#include "apps/sample.hpp"
+#include "apps/make_state.hpp"
 #include "apps/stage_setup.hpp"
 #include "apps/stage_watch.hpp"
-#include "core/error.hpp"
-
-#include <fmt/format.h>
+#include "core/wall_motion.hpp"
 
 namespace arenite {
 namespace {
@@ -37,6 +35,19 @@ void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
     }
     fluid.report = advance_flow(fluid.flow, fluid.boundary, fluid.solver, fluid_dt);
     if (coupled) evaluate_fluid_force(fluid.flow, fluid.solver, fluid.exchange, particles);
+}
+
+/// What makes the coupling inaccurate or unstable, said once a stage.
+void warn_of_coupling(FluidState const& fluid, Particles const& particles, Real fluid_dt, RunOutput& output)
+{
+    if (!fluid.flow.has_drag() || particles.count == 0) return;
+    for (std::string const& message : check_exchange(fluid.exchange, particles, fluid_dt)) output.warn("coupling", message);
+}
+
+void warn_of_fast_walls(StageSetup const& setup, RunState const& state, RunOutput& output)
+{
+    std::string const message = tunnelling_walls(state.walls, smallest_grain_diameter(state.particles) / 2, setup.step.dt);
+    if (!message.empty()) output.warn("fast_wall", message);
 }
 
 /// From one moment at which somebody looks to the next.
@@ -72,6 +83,7 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
     Cadence const cadence = make_cadence(planned, output);
     StageWatch watch(scene, planned, until);
     output.begin_stage(planned, state);
+    warn_of_fast_walls(setup, state, output);
     if (!resumes) output.write_start(state, watch.look(setup, state));
     for (bool first = true;; first = false) {
         if (!(first && resumes)) {
@@ -86,8 +98,10 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
                 return *ended;
             }
         }
-        if (cadence.fluid > 0 && state.clock.stage_step % cadence.fluid == 0)
+        if (cadence.fluid > 0 && state.clock.stage_step % cadence.fluid == 0) {
             advance_fluid(*state.fluid, state.particles, cadence.fluid * planned.dt);
+            if (first) warn_of_coupling(*state.fluid, state.particles, cadence.fluid * planned.dt, output);
+        }
         advance_grains(setup, cadence, state);
         watch.check_health(setup, state);
     }

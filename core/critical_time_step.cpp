@@ -21,6 +21,7 @@ TimeStepLimits time_step_limits(Real diameter, MaterialSettings const& material,
     limits.pressure = pressure;
     limits.rayleigh = rayleigh_time(material, diameter / 2);
     Real const mass = material.density * pi / 6 * diameter * diameter * diameter;
+    limits.smallest_mass = mass;
     Real const force = pressure * diameter * diameter / (2 * std::numbers::sqrt2_v<Real>); // FCC, per contact
     Real const radius = contact_radius_at(force, diameter / 4, pair);
     if (!(radius > 0)) return limits;

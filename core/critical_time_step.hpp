@@ -9,6 +9,7 @@ namespace arenite {
 
 struct TimeStepLimits {
     Real smallest_diameter = 0; // m
+    Real smallest_mass = 0;     // kg
     Real pressure = 0;          // Pa that `lattice` is for
     Real rayleigh = 0;          // s, of the smallest grain
     Real lattice = 0;           // s, 2 / omega_max of an FCC lattice of the smallest grains under `pressure`; 0: no limit

@@ -106,7 +106,9 @@ TEST(VerifyServo, RandomPack)
                 record.crossings, energy, scene.walls.state[1].position.z);
     EXPECT_NEAR(record.last, 1, 1e-3);
     EXPECT_LT(record.most, 1.02);
-    EXPECT_EQ(record.crossings, 0);
+    // A grain that slips takes the force across the target and the plate brings it back: which slips come is a matter of
+    // the last bits. A servo that swings crosses in every period (the undamped column above: 178 times in 8 ms).
+    EXPECT_LE(record.crossings, 4);
     EXPECT_LT(record.latest_error, 23000 * dt);
 }
 

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Where should a pair's force live? Three ways to evaluate the same law on the same pack, forces on every grain at the end:
+//
+//   contact rows   each pair once, its force into its own row, gathered per grain in fixed order (what Arenite does)
+//   both sides     each grain evaluates all its pairs: no gather, twice the law, two copies of the history
+//   atomic adds    each pair once, added to both grains with atomics: the order of the sums, and so the bits, are the
+//                  scheduler's; the speed that determinism is measured against
+//
+// Usage: bench_pair_storage [--benchmark_...]; the pack is a lattice of 32 768 grains with three contacts each.
+#include "apps/bench_pack.hpp"
+#include "kernels/contact/contact_laws.hpp"
+#include "kernels/contact_forces.hpp"
+#include "kernels/contact_search.hpp"
+
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace arenite;
+
+struct Pack {
+    Particles particles;
+    PeriodicBox box;
+    ContactList contacts;
+    CementedSand law;
+    ContactList other_side; // the same pairs with memory of their own, for the second evaluation
+};
+
+Pack make_pack()
+{
+    MaterialSettings sand;
+    sand.density = 2605;
+    sand.youngs_modulus = 2e10;
+    sand.poissons_ratio = 0.3;
+    sand.restitution = 0.8;
+    sand.friction = 0.2;
+    sand.surface_energy = 60;
+    ContactSettings contact;
+    contact.normal = NormalLaw::jkr;
+    contact.break_point = BreakPoint::S;
+    Pack pack;
+    BenchPack const grains = lattice_pack(32768);
+    pack.particles = make_particles(grains.grains, {sand.density});
+    pack.box.lower = grains.lower;
+    pack.box.upper = grains.upper;
+    pack.law = CementedSand{upload({make_pair(sand, sand, contact)})};
+    search_contacts(pack.particles, pack.box, {3e-5, {true, true}, {}}, pack.contacts);
+    pack.other_side = pack.contacts;
+    pack.other_side.spring = RecordView("spring", pack.contacts.count);
+    pack.other_side.touching = View1<std::uint8_t>("touching", pack.contacts.count);
+    pack.other_side.adhering = View1<std::uint8_t>("adhering", pack.contacts.count);
+    pack.other_side.force = ForceRows("force", pack.contacts.count);
+    return pack;
+}
+
+using Evaluation = ContactEvaluation<CementedSand, BoxKind::closed>;
+
+Evaluation evaluation_of(Pack const& pack, ContactList const& contacts)
+{
+    return {pack.law, contacts, pack.particles.position, pack.particles.velocity, pack.particles.spin, pack.particles.material, pack.box, 1e-8};
+}
+
+/// Adds a contact's row to a grain, as the gather does.
+KOKKOS_FUNCTION void add_row(ContactList const& list, int c, bool second, Vec3& force, Vec3& torque)
+{
+    Vec3 const pull{list.force(c, 0), list.force(c, 1), list.force(c, 2)};
+    force = second ? force - pull : force + pull;
+    torque -= list.force(c, second ? 7 : 3) * Vec3{list.force(c, 4), list.force(c, 5), list.force(c, 6)};
+}
+
+void contact_rows(Pack const& pack)
+{
+    Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, pack.contacts.count), evaluation_of(pack, pack.contacts));
+    ContactList const list = pack.contacts;
+    Particles const grains = pack.particles;
+    Kokkos::parallel_for(
+        "gather", RangePolicy(0, grains.count), KOKKOS_LAMBDA(int i) {
+            Vec3 force, torque;
+            for (int k = list.incident_begin(i); k < list.incident_begin(i + 1); ++k) {
+                int const entry = list.incident(k);
+                if (list.touching(entry >> 1)) add_row(list, entry >> 1, entry & 1, force, torque);
+            }
+            set_vector(grains.force, i, force);
+            set_vector(grains.torque, i, torque);
+        });
+}
+
+void both_sides(Pack const& pack)
+{
+    ContactList const list = pack.contacts, other = pack.other_side;
+    Evaluation const as_first = evaluation_of(pack, list), as_second = evaluation_of(pack, other);
+    Particles const grains = pack.particles;
+    Kokkos::parallel_for(
+        "both_sides", RangePolicy(0, grains.count), KOKKOS_LAMBDA(int i) {
+            Vec3 force, torque;
+            for (int k = list.incident_begin(i); k < list.incident_begin(i + 1); ++k) {
+                int const entry = list.incident(k);
+                bool const second = entry & 1;
+                ContactList const& side = second ? other : list;
+                (second ? as_second : as_first)(entry >> 1);
+                if (side.touching(entry >> 1)) add_row(side, entry >> 1, second, force, torque);
+            }
+            set_vector(grains.force, i, force);
+            set_vector(grains.torque, i, torque);
+        });
+}
+
+void atomic_adds(Pack const& pack)
+{
+    Evaluation const evaluate = evaluation_of(pack, pack.contacts);
+    ContactList const list = pack.contacts;
+    Particles const grains = pack.particles;
+    Kokkos::deep_copy(grains.force, 0);
+    Kokkos::deep_copy(grains.torque, 0);
+    Kokkos::parallel_for(
+        "atomic_adds", RangePolicy(0, list.count), KOKKOS_LAMBDA(int c) {
+            evaluate(c);
+            if (!list.touching(c)) return;
+            for (int side = 0; side < 2; ++side) {
+                int const i = side ? list.second(c) : list.first(c);
+                Vec3 force, torque;
+                add_row(list, c, side, force, torque);
+                for (int n = 0; n < 3; ++n) {
+                    Kokkos::atomic_add(&grains.force(i, n), force[n]);
+                    Kokkos::atomic_add(&grains.torque(i, n), torque[n]);
+                }
+            }
+        });
+}
+
+void run(benchmark::State& state, void (*forces)(Pack const&))
+{
+    static Pack const* const pack = new Pack(make_pack()); // kept past main: Views end with Kokkos, not after it
+    for (auto _ : state) {
+        forces(*pack);
+        Kokkos::fence();
+    }
+    state.counters["grains/s"] = benchmark::Counter(pack->particles.count, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Kokkos::ScopeGuard const kokkos(argc, argv);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RegisterBenchmark("contact rows", run, contact_rows)->UseRealTime();
+    benchmark::RegisterBenchmark("both sides", run, both_sides)->UseRealTime();
+    benchmark::RegisterBenchmark("atomic adds", run, atomic_adds)->UseRealTime();
+    benchmark::RunSpecifiedBenchmarks();
+}
