@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace {
 
@@ -36,6 +37,18 @@ CLI::App* add_run(CLI::App& app, RunOptions& options)
     run->add_option("--resume", options.checkpoint, "go on from the newest checkpoint, or from this one")->expected(0, 1);
     run->add_flag("-q,--quiet", options.quiet, "say nothing but warnings and errors");
     return run;
+}
+
+/// Several processes would write over each other's files: there is no domain decomposition yet.
+void refuse_ranks()
+{
+    for (char const* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"}) {
+        char const* const size = std::getenv(variable);
+        if (size && std::atoi(size) > 1)
+            throw InputError(fmt::format("started as one of {} MPI ranks: this version runs on one rank; use threads "
+                                         "(--kokkos-num-threads) or a GPU",
+                                         size));
+    }
 }
 
 int verify(std::string const& group, bool json)
@@ -76,6 +89,9 @@ int main(int argc, char** argv)
     app.add_subcommand("info", "version, backends, devices, optional parts");
 
     try {
+        refuse_ranks();
+        // Unbound threads are the default; said aloud, Kokkos does not ask for it at every start.
+        setenv("OMP_PROC_BIND", "false", 0);
         Kokkos::initialize(argc, argv); // takes its own options (--kokkos-num-threads) away
         app.parse(argc, argv);
         int const code = dispatch(app, command);

@@ -110,7 +110,7 @@ void StageWatch::tune_friction(StageSetup& setup, RunState& state)
         Real const target = state.walls.state[wall].servo.target;
         Look const& now = look(setup, state);
         Real const pressing = dot(now.walls[wall].force, state.walls.state[wall].servo.axis) * -1;
-        bool const pressed = std::fabs(pressing - target) < Real(0.05) * target;
+        bool const pressed = pressing > Real(0.8) * target; // the rest of the way the servo and the pack go together
         // Slowly enough that the pack follows: a factor of two in some two thousand steps.
         if (pressed && now.porosity.value_or(0) > stage_.target_porosity) set_friction(setup, state, Real(0.967) * state.tuned_friction);
     }
