@@ -5,3 +5,7 @@ if("checkpoint_hdf5.cpp" IN_LIST output_sources) # what it compares are checkpoi
   target_compile_definitions(run_small_scene PRIVATE ARENITE_TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/scenes")
   set_tests_properties(run_small_scene PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 endif()
+
+add_test(NAME command_line
+  COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/smoke/command_line.sh $<TARGET_FILE:arenite> ${PROJECT_SOURCE_DIR}/scenes)
+set_tests_properties(command_line PROPERTIES LABELS smoke TIMEOUT 300)

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# The program as a user meets it: exit codes, messages, and the two-grain scenes against their closed forms.
+# Usage: command_line.sh PROGRAM SCENES
+set -u
+program=$1 scenes=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export OMP_NUM_THREADS=1 OMP_PROC_BIND=false
+faults=0
+
+fault() { echo "FAULT: $*"; faults=$((faults + 1)); }
+
+# expect CODE TEXT COMMAND...: the exit code, and a text that stdout or stderr must hold.
+expect() {
+    local code=$1 text=$2
+    shift 2
+    "$@" >"$work/out" 2>&1
+    local got=$?
+    [ $got -eq "$code" ] || fault "$*: exit code $got, not $code: $(head -3 "$work/out")"
+    grep -q -- "$text" "$work/out" || fault "$*: does not say '$text' but: $(head -3 "$work/out")"
+}
+
+# within VALUE REFERENCE RELATIVE WHAT
+within() {
+    awk -v v="$1" -v r="$2" -v e="$3" 'BEGIN { d = (v - r) / r; exit !(v != "" && d <= e && d >= -e) }' ||
+        fault "$4 is $1, not $2 within $3"
+}
+
+# column FILE NAME: the values of a CSV column.
+column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$1"; }
+
+expect 0 "Arenite" "$program" info
+expect 2 "" "$program"
+expect 2 "none.toml" "$program" run "$work/none.toml"
+expect 2 "nothing" "$program" verify nothing
+
+sed 's/friction = 0.2/frction = 0.2/; s/youngs_modulus = .*/youngs_modulus = "stiff"/' "$scenes/pull_test.toml" >"$work/bad.toml"
+expect 2 "did you mean friction" "$program" run "$work/bad.toml" -o "$work/bad"
+expect 2 "bad.toml:[0-9]*:[0-9]*: materials.sand.youngs_modulus" "$program" check "$work/bad.toml"
+[ ! -e "$work/bad" ] || fault "a scene that cannot run left a folder"
+
+expect 0 "done" "$program" run "$scenes/collision.toml" -o "$work/collision"
+speed() { column "$work/collision/probe-$1.csv" vx | sed -n "$2"; }
+before=$(awk -v a="$(speed left 1p)" -v b="$(speed right 1p)" 'BEGIN { print a - b }')
+after=$(awk -v a="$(speed left '$p')" -v b="$(speed right '$p')" 'BEGIN { print b - a }')
+within "$(awk -v a="$after" -v b="$before" 'BEGIN { print a / b }')" 0.8 1e-3 "the restitution"
+
+expect 0 "done" "$program" run "$scenes/pull_test.toml" -o "$work/pull"
+peak=$(column "$work/pull/probe-held.csv" fz | awk '{ if ($1 > m) m = $1 } END { printf "%.12g", m }')
+within "$peak" 1.625774198e-2 1e-6 "the bond's strength" # 3 pi gamma R*
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == "bonds") b = i; if ($i == "stage") s = i } }
+         $s == "push" && $b > 0 { found = 1 } END { exit found }' "$work/pull/history.csv" || fault "the broken bond came back"
+
+[ "$faults" -eq 0 ] && echo "all as it should be"
+exit "$((faults > 0))"
