@@ -76,9 +76,13 @@ void RunOutput::begin_stage(PlannedStage const& planned, RunState const& state)
     tally_at_begin_ = state.tally;
     summary_.stages.emplace_back();
     stage().name = planned.label;
-    say(fmt::format("{}: {} grains, dt {:.4g} s ({:.1f} % of Rayleigh's time, {:.1f} % of the lattice limit at {:.3g} Pa)", planned.label,
-                    state.particles.count, planned.dt, 100 * planned.dt / std::max(planned.limits.rayleigh, Real(1e-300)),
-                    planned.limits.lattice > 0 ? 100 * planned.dt / planned.limits.lattice : 0, planned.limits.pressure));
+    TimeStepLimits const& limits = planned.limits;
+    std::string line = fmt::format("{}: {} grains", planned.label, state.particles.count);
+    if (planned.dt > 0) line += fmt::format(", dt {:.4g} s", planned.dt);
+    if (planned.dt > 0 && limits.rayleigh > 0) line += fmt::format(", {:.1f} % of Rayleigh's time", 100 * planned.dt / limits.rayleigh);
+    if (planned.dt > 0 && limits.lattice > 0)
+        line += fmt::format(", {:.1f} % of the lattice limit at {:.3g} Pa", 100 * planned.dt / limits.lattice, limits.pressure);
+    say(line);
 }
 
 void RunOutput::write_start(RunState& state, Look const& look)
@@ -190,6 +194,8 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
         warn("time_step", fmt::format("{}: the stiffest contact would need a step {:.2f} times smaller to be surely stable", planned_->label,
                                       watch.highest_step_ratio()));
     flush_tables();
+    if (state.particles.count == 0)
+        return say(fmt::format("{}: {} after {:.6g} s and {} steps, {:.1f} s", planned_->label, ended_by, s.simulated_time, s.steps, s.wall_time));
     say(fmt::format("{}: {} after {:.6g} s and {} steps; porosity {:.4f}, {:.2f} contacts a grain, {} bonds, kinetic over elastic energy "
                     "{:.2e}; {:.1f} s, {:.3g} particle-steps/s",
                     planned_->label, ended_by, s.simulated_time, s.steps, s.porosity.value_or(1), s.coordination.value_or(0), s.bonds,

@@ -38,9 +38,9 @@ std::string name_of_faulty_grain(RunState const& state)
 Real step_ratio(StageSetup const& setup, Real normal_stiffness)
 {
     TimeStepLimits const& limits = setup.planned->limits;
-    PairConstants const& pair = setup.planned->pairs.front();
-    Real const ratio = pair.tangential_damping_ratio; // its square is k_t / k_n
-    if (!(normal_stiffness > 0) || !(limits.smallest_mass > 0) || !(ratio > 0)) return 0;
+    if (!(normal_stiffness > 0) || !(limits.smallest_mass > 0)) return 0;
+    Real const ratio = setup.planned->pairs.front().tangential_damping_ratio; // its square is k_t / k_n
+    if (!(ratio > 0)) return 0;
     return setup.step.dt / (2 * std::sqrt(3 * limits.smallest_mass / (40 * normal_stiffness * ratio * ratio)));
 }
 
