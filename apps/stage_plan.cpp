@@ -34,7 +34,7 @@ Real solid_volume(Scene const& scene)
 /// that stick make arches which 1 MPa does not break, and those would depend on the speed.
 StageSettings densify_part(Scene const& scene, StageSettings const& stage, WallAction const& press)
 {
-    constexpr Real looser = 0.06, dry_porosity = 0.41;
+    constexpr Real looser = 0.03, dry_porosity = 0.41;
     Real const porosity = (stage.target_porosity > 0 ? stage.target_porosity : dry_porosity) + looser;
     auto const wall = std::find_if(scene.walls.begin(), scene.walls.end(), [&](auto const& w) { return w.name == press.wall; });
     Vec3 const size = scene.domain.upper - scene.domain.lower;
@@ -75,7 +75,10 @@ StageSettings press_part(StageSettings const& stage, WallAction const& press)
     part.local_damping = std::max(stage.local_damping, Real(0.7));
     part.end.kinetic_energy_ratio.reset(); // rest comes in the last part
     part.end.stress_tolerance = std::max(part.end.stress_tolerance, Real(0.1));
-    if (stage.target_porosity > 0) part.end.porosity = stage.target_porosity;
+    if (stage.target_porosity > 0) { // then the materials' friction comes back and holds the pack: the stress follows
+        part.end = {};
+        part.end.porosity = stage.target_porosity;
+    }
     return part;
 }
 

@@ -110,7 +110,7 @@ void StageWatch::tune_friction(StageSetup& setup, RunState& state)
         Real const target = state.walls.state[wall].servo.target;
         Look const& now = look(setup, state);
         Real const pressing = dot(now.walls[wall].force, state.walls.state[wall].servo.axis) * -1;
-        bool const pressed = pressing > Real(0.8) * target; // the rest of the way the servo and the pack go together
+        bool const pressed = pressing > Real(0.5) * target; // the servo comes the faster, the farther it is from its target
         // Slowly enough that the pack follows: a factor of two in some two thousand steps.
         if (pressed && now.porosity.value_or(0) > stage_.target_porosity) set_friction(setup, state, Real(0.967) * state.tuned_friction);
     }
