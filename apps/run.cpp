@@ -101,7 +101,7 @@ int run_scene(RunOptions const& options)
     make_folder(folder);
     if (resume) drop_checkpoints_after(folder, resume->step);
     else drop_checkpoints_after(folder, -1);
-    RunOutput output(folder, scene, plan, resume, options.quiet);
+    RunOutput output(folder, scene, plan, resume, state.clock.stage, options.quiet);
     try {
         std::string const outcome = run_stages(scene, plan, until, state, output);
         output.finish(outcome);

@@ -18,6 +18,8 @@ template <class State, class Function> void for_each_number(State& state, Functi
     f("tally/produced_mass", state.tally.produced_mass);
     f("tally/produced_count", state.tally.produced_count);
     f("tally/lost_count", state.tally.lost_count);
+    f("tally/stage_produced_mass", state.stage_tally.produced_mass);
+    f("tally/stage_produced_count", state.stage_tally.produced_count);
     f("search/skin", state.skin);
     f("search/last", state.last_search);
     f("stage/tuned_friction", state.tuned_friction);

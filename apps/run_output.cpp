@@ -38,7 +38,7 @@ double seconds_since(std::chrono::steady_clock::time_point start)
 } // namespace
 
 RunOutput::RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan const& plan,
-                     std::optional<ResumePoint> const& resume, bool quiet)
+                     std::optional<ResumePoint> const& resume, int first_stage, bool quiet)
     : folder_(std::move(folder)), scene_(scene), plan_(plan), history_(folder_, columns_of(scene), resume),
       ledger_(folder_, resume), probes_(folder_, scene.output, resume), fields_(folder_, resume), run_begin_(std::chrono::steady_clock::now()), quiet_(quiet)
 {
@@ -48,7 +48,12 @@ RunOutput::RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan
     summary_.title = scene.title;
     summary_.scene_hash = scene.hash;
     summary_.random_seed = scene.random_seed;
-    if (resume) summary_.resumed_from_step = resume->step;
+    if (resume) {
+        summary_.resumed_from_step = resume->step;
+        std::vector<std::string> labels;
+        for (int row = 0; row < first_stage; ++row) labels.push_back(plan[row].label);
+        summary_.earlier_stages = finished_stages(folder_, labels);
+    }
     write_file_atomically(folder_ / "scene.toml", scene.resolved);
 }
 
@@ -73,7 +78,6 @@ void RunOutput::begin_stage(PlannedStage const& planned, RunState const& state)
     cadence_ = cadence(planned);
     stage_begin_ = std::chrono::steady_clock::now();
     stage_first_step_ = state.clock.step;
-    tally_at_begin_ = state.tally;
     summary_.stages.emplace_back();
     stage().name = planned.label;
     TimeStepLimits const& limits = planned.limits;
@@ -176,8 +180,8 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
     if (state.particles.count > 0) s.coordination = 2 * static_cast<Real>(look.contacts.touching) / state.particles.count;
     s.kinetic_energy = look.grains.kinetic_energy();
     s.max_overlap_ratio = watch.highest_overlap_ratio();
-    s.produced_mass = state.tally.produced_mass - tally_at_begin_.produced_mass;
-    s.produced_count = state.tally.produced_count - tally_at_begin_.produced_count;
+    s.produced_mass = state.tally.produced_mass - state.stage_tally.produced_mass;
+    s.produced_count = state.tally.produced_count - state.stage_tally.produced_count;
     for (int w = 0; w < state.walls.count(); ++w) {
         if (!state.walls.state[w].present) continue;
         WallSummary wall{state.walls.settings[w].name, look.walls[w].force, {}};
@@ -194,6 +198,7 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
         warn("time_step", fmt::format("{}: the stiffest contact would need a step {:.2f} times smaller to be surely stable", planned_->label,
                                       watch.highest_step_ratio()));
     flush_tables();
+    finish("running"); // so that a kill later leaves what is known now
     if (state.particles.count == 0)
         return say(fmt::format("{}: {} after {:.6g} s and {} steps, {:.1f} s", planned_->label, ended_by, s.simulated_time, s.steps, s.wall_time));
     say(fmt::format("{}: {} after {:.6g} s and {} steps; porosity {:.4f}, {:.2f} contacts a grain, {} bonds, kinetic over elastic energy "

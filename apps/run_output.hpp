@@ -29,7 +29,7 @@ struct OutputCadence {
 class RunOutput {
 public:
     RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan const& plan,
-              std::optional<ResumePoint> const& resume, bool quiet);
+              std::optional<ResumePoint> const& resume, int first_stage, bool quiet);
 
     OutputCadence cadence(PlannedStage const& planned) const;
 
@@ -72,7 +72,6 @@ private:
     OutputCadence cadence_;
     std::chrono::steady_clock::time_point run_begin_, stage_begin_;
     std::int64_t stage_first_step_ = 0, last_fields_step_ = -1;
-    Tally tally_at_begin_;
     bool quiet_;
 };
 

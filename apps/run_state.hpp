@@ -54,7 +54,7 @@ struct RunState {
     WallContacts wall_contacts;
     Integrator integrator;
     std::unique_ptr<FluidState> fluid;
-    Tally tally;
+    Tally tally, stage_tally;        // now, and when the stage began
     Real skin = 0;                   // m, adapts to how often the list goes stale
     std::int64_t last_search = 0;    // step
     Real tuned_friction = -1;        // of the running stage while it tunes; below 0: the material's own

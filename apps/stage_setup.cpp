@@ -101,6 +101,7 @@ StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState
     begin_stage(state.walls, stage.walls);
     apply_groups(scene, scene.stages[planned.scene_stage].name, state.groups, state.particles);
     state.clock.dt = planned.dt;
+    state.stage_tally = state.tally;
     state.box.strain_rate = {};
     if (stage.box)
         for (int axis = 0; axis < 3; ++axis) state.box.strain_rate[axis] = stage.box->strain_rate[axis].value_or(0);

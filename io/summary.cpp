@@ -71,6 +71,22 @@ Json json_of(StageSummary const& stage)
 
 } // namespace
 
+std::string finished_stages(std::filesystem::path const& folder, std::vector<std::string> const& names)
+{
+    Json kept = Json::array();
+    try {
+        Json const old = Json::parse(read_file(folder / "summary.json"));
+        for (std::string const& name : names)
+            for (Json const& stage : old.at("stages"))
+                if (stage.at("name") == name && stage.at("ended_by") != "stopped" && stage.at("ended_by") != "") kept.push_back(stage);
+    } catch (InputError const&) { // no summary yet
+        return {};
+    } catch (Json::exception const&) { // not one of ours
+        return {};
+    }
+    return kept.empty() ? std::string() : kept.dump();
+}
+
 std::string summary_json(RunSummary const& summary)
 {
     Json json{{"scene",
@@ -86,7 +102,12 @@ std::string summary_json(RunSummary const& summary)
     Real mass = 0;
     std::int64_t count = 0;
     std::map<std::string, std::int64_t> warnings;
-    json["stages"] = Json::array();
+    json["stages"] = summary.earlier_stages.empty() ? Json::array() : Json::parse(summary.earlier_stages);
+    for (Json const& stage : json["stages"]) {
+        mass += stage["produced"]["mass"].get<Real>();
+        count += stage["produced"]["count"].get<std::int64_t>();
+        for (auto const& [kind, number] : stage["warnings"].items()) warnings[kind] += number.get<std::int64_t>();
+    }
     for (StageSummary const& stage : summary.stages) {
         json["stages"].push_back(json_of(stage));
         mass += stage.produced_mass;

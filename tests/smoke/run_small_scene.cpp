@@ -80,12 +80,27 @@ template <class Type> void expect_same_array(CheckpointReader const& a, Checkpoi
     EXPECT_EQ(std::memcmp(l.data(), r.data(), l.span() * sizeof(typename Type::value_type)), 0) << name << " differs";
 }
 
+nlohmann::json summary_of(fs::path const& folder)
+{
+    std::ifstream file(folder / "summary.json");
+    return nlohmann::json::parse(file);
+}
+
+void expect_same_production(fs::path const& resumed)
+{
+    nlohmann::json const a = summary_of(whole_run()), b = summary_of(resumed);
+    ASSERT_FALSE(b["stages"].empty());
+    EXPECT_EQ(a["stages"].back()["produced"], b["stages"].back()["produced"]);
+    EXPECT_EQ(a["stages"].size(), b["stages"].size()) << "a stage that ran before the resume is not in the summary";
+}
+
 /// Runs on from a checkpoint in a folder of its own and compares the last states.
 void expect_resume_is_exact(fs::path const& from)
 {
     fs::path const folder = fresh_folder("resumed");
     fs::create_directories(folder);
     fs::copy(from, folder / from.filename());
+    fs::copy(whole_run() / "summary.json", folder / "summary.json"); // what a killed run would have left, and more
     RunOptions options;
     options.scene = scene;
     options.folder = folder.string();
@@ -99,6 +114,7 @@ void expect_resume_is_exact(fs::path const& from)
     expect_same_array<View1<GrainId>>(gone_on, resumed, "particles/id");
     expect_same_array<View1<std::uint8_t>>(gone_on, resumed, "contacts/adhering");
     expect_same_array<FieldView>(gone_on, resumed, "fluid/fluid_pressure");
+    expect_same_production(folder);
     fs::remove_all(folder);
 }
 
