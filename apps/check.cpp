@@ -2,6 +2,7 @@
 #include "apps/check.hpp"
 
 #include "apps/calibrate.hpp"
+#include "apps/given_grains.hpp"
 #include "apps/make_state.hpp"
 #include "core/error.hpp"
 #include "io/progress.hpp"
@@ -20,7 +21,7 @@ void print(std::string const& line) { std::fputs((line + "\n").c_str(), stdout);
 long long print_classes(Scene const& scene)
 {
     if (scene.particles.source != ParticleSource::distribution) {
-        long long const count = scene.particles.source == ParticleSource::file ? static_cast<long long>(grains_of_file(scene).grains.size()) : 0;
+        long long const count = has_given_grains(scene) ? static_cast<long long>(given_grains(scene).size()) : 0;
         print(fmt::format("grains: {}", count));
         return count;
     }

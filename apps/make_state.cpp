@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "apps/make_state.hpp"
 
+#include "apps/given_grains.hpp"
 #include "apps/sample.hpp"
-#include "io/checkpoint.hpp"
 #include "io/scene_reader.hpp"
 #include "io/stl.hpp"
 #include "kernels/packing.hpp"
@@ -23,22 +23,6 @@ void set_particles(Scene const& scene, std::vector<Grain> grains, RunState& stat
 {
     state.groups = choose_groups(scene, grains);
     state.particles = make_particles(grains, densities_of(scene));
-}
-
-/// Only the grains of an earlier run: where they are and how they move. Contacts begin anew.
-std::vector<Grain> grains_of_checkpoint(Scene const& scene)
-{
-    CheckpointReader const file(path_of(scene, scene.particles.file));
-    Particles old;
-    file.view("particles/position", old.position);
-    file.view("particles/velocity", old.velocity);
-    file.view("particles/spin", old.spin);
-    file.view("particles/id", old.id);
-    file.view("particles/material", old.material);
-    file.view("particles/size_class", old.size_class);
-    old.count = static_cast<int>(old.id.extent(0));
-    old.motion = View1<Motion>("motion", old.count);
-    return download(old);
 }
 
 Walls walls_of(Scene const& scene)
@@ -75,8 +59,7 @@ RunState make_run_state(Scene const& scene)
     for (int axis = 0; axis < 3; ++axis) state.box.periodic[axis] = scene.domain.periodic[axis];
     state.walls = walls_of(scene);
     state.particles = make_particles({}, densities_of(scene));
-    if (scene.particles.source == ParticleSource::file) set_particles(scene, grains_of_file(scene).grains, state);
-    if (scene.particles.source == ParticleSource::checkpoint) set_particles(scene, grains_of_checkpoint(scene), state);
+    if (has_given_grains(scene)) set_particles(scene, given_grains(scene), state);
     return state;
 }
 

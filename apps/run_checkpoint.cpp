@@ -2,7 +2,11 @@
 #include "apps/run_checkpoint.hpp"
 
 #include "apps/make_state.hpp"
+#include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
+#include "io/scene_reader.hpp"
+
+#include <algorithm>
 
 namespace arenite {
 namespace {
@@ -161,11 +165,35 @@ void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage con
 
 } // namespace
 
+std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointStamp const& stamp)
+{
+    auto const last = std::find_if(plan.begin(), plan.end(), [&](auto const& p) { return p.label == stamp.stage; });
+    if (last == plan.end()) return 0;
+    Scene past = scene;
+    past.title.clear();
+    past.output = {};
+    past.stages.resize(last->scene_stage + 1);
+    if (std::none_of(past.stages.begin(), past.stages.end(), [](auto const& s) { return s.fluid; })) past.fluid.reset();
+    for (StageSettings& stage : past.stages) stage.history_interval = stage.field_interval = stage.checkpoint_interval = {};
+    bool const runs = !stamp.stage_end || (last + 1 != plan.end() && (last + 1)->scene_stage == last->scene_stage);
+    if (runs) {
+        past.stages.back().duration = 0;
+        past.stages.back().end = {};
+    }
+    std::string made_of = resolved_scene(past);
+    auto const add_file = [&](std::string const& name) { made_of += read_file(path_of(scene, name)); };
+    if (scene.particles.source == ParticleSource::file || scene.particles.source == ParticleSource::checkpoint) add_file(scene.particles.file);
+    for (WallSettings const& wall : scene.walls)
+        if (wall.shape == WallShape::mesh) add_file(wall.file);
+    return hash_of(made_of);
+}
+
 void save_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan, RunState& state,
                      bool stage_end)
 {
-    int const stage = std::min<int>(state.clock.stage, static_cast<int>(plan.size()) - 1);
-    CheckpointWriter out(path, {state.clock.step, state.clock.time(), plan[stage].label, stage_end, scene.hash});
+    CheckpointStamp stamp{state.clock.step, state.clock.time(), plan[state.clock.stage - (stage_end ? 1 : 0)].label, stage_end};
+    stamp.scene_hash = past_hash(scene, plan, stamp);
+    CheckpointWriter out(path, stamp);
     for_each_number(state, [&](std::string const& name, auto const& number) { out.value(name, number); });
     for_each_array(state, [&](std::string const& name, auto const& view) {
         if (view.is_allocated()) out.array(name, view);
@@ -183,7 +211,7 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
 RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan)
 {
     CheckpointReader const in(path);
-    in.require_scene(scene.hash);
+    in.require_scene(past_hash(scene, plan, in.stamp()));
     RunState state = make_run_state(scene);
     for_each_number(state, [&](std::string const& name, auto& number) { number = in.value<std::decay_t<decltype(number)>>(name); });
     for_each_array(state, [&](std::string const& name, auto& view) {

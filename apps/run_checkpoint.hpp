@@ -5,10 +5,15 @@
 
 #include "apps/run_state.hpp"
 #include "apps/stage_plan.hpp"
+#include "io/checkpoint.hpp"
 
 #include <filesystem>
 
 namespace arenite {
+
+/// Hash of all that made a state with this stamp: the scene without the stages to come, its output settings and, while a
+/// stage runs, when that ends; with the content of the files that it names. 0 if the plan has no such stage.
+std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointStamp const& stamp);
 
 /// Throws OutputError if it cannot be written.
 void save_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan, RunState& state,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/stage_plan.hpp"
 
+#include "apps/given_grains.hpp"
 #include "core/error.hpp"
 #include "io/scene_reader.hpp"
 
@@ -164,8 +165,8 @@ Real smallest_diameter(Scene const& scene)
     if (scene.particles.source == ParticleSource::distribution)
         for (SizeClass const& c : make_size_classes(scene.particles.distribution, scene.coarse_graining, 1))
             if (c.count > 0) take(c.diameter);
-    if (scene.particles.source == ParticleSource::file)
-        for (Grain const& grain : grains_of_file(scene).grains) take(grain.diameter);
+    if (has_given_grains(scene))
+        for (Grain const& grain : given_grains(scene)) take(grain.diameter);
     return smallest;
 }
 

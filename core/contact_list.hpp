@@ -24,6 +24,16 @@ struct ContactNeeds {
 /// One row of forces is 64 bytes: force on first (x, y, z), arm of first; normal x force (x, y, z), arm of second.
 using ForceRows = Kokkos::View<Real* [8], Kokkos::LayoutRight, MemorySpace>;
 
+/// One column per component, so that neighbouring contacts are read together.
+template <int components> using ContactColumns = Kokkos::View<Real* [components], Kokkos::LayoutLeft, MemorySpace>;
+
+/// The kernel takes several contacts at a time (core/lanes.hpp), so what has a row per contact has a multiple of this.
+/// The rows beyond the last contact name grain 0 twice; their results go nowhere.
+inline constexpr int contact_block = 8;
+
+/// Incident entries that may be read beyond the last: a gather asks early for the rows to come.
+inline constexpr int incident_ahead = 32;
+
 struct ContactList {
     int count = 0;                   // pairs within the cutoff
     ContactNeeds needs;
@@ -32,11 +42,11 @@ struct ContactList {
     View1<int> row_begin;            // [grain + 1] contacts that grain owns
     View1<int> first, second;        // [contact] rows of the two grains
     View1<std::uint8_t> image;       // [contact] image code of second; empty in a closed box
-    RecordView scale;                // [contact](R* m, m* kg, R*^(1/3) m^(1/3), -)
+    ContactColumns<3> scale;         // [contact](R* m, m* kg, R*^(1/3) m^(1/3))
     View1<std::uint8_t> touching;    // [contact] carried a force at the last evaluation
     View1<std::uint8_t> adhering;    // [contact] follows the JKR curve; empty without bonds
-    RecordView spring;               // [contact](xi x, y, z m, previous a m); empty without history
-    ForceRows force;                 // [contact] N and m, valid where touching
+    ContactColumns<4> spring;        // [contact](xi x, y, z m, previous a m); empty without history
+    ForceRows force;                 // [contact] N and m, no force and moment where not touching
 
     View1<int> incident_begin;       // [grain + 1]
     View1<int> incident;             // [2 contact] contact * 2 + (1 where the grain is second), by partner id

@@ -33,7 +33,9 @@ struct PairTable {
     Kokkos::View<PairConstants*, MemorySpace> pairs;
     int materials = 0;
 
-    KOKKOS_FUNCTION PairConstants const& operator()(int i, int j) const { return pairs(i * materials + j); }
+    KOKKOS_FUNCTION int index(int i, int j) const { return i * materials + j; }
+    KOKKOS_FUNCTION PairConstants const& operator()(int index) const { return pairs(index); }
+    KOKKOS_FUNCTION PairConstants const& operator()(int i, int j) const { return pairs(index(i, j)); }
 };
 
 /// The materials as a stage sees them: overrides applied, surface energy times k (physics.md section 2).

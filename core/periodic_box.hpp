@@ -30,7 +30,7 @@ struct PeriodicBox {
         return {image_step(code, 0) * edge.x, image_step(code, 1) * edge.y, image_step(code, 2) * edge.z};
     }
     /// Relative velocity that the box's deformation gives two points that are `offset` apart, m/s.
-    KOKKOS_FUNCTION Vec3 stretch_velocity(Vec3 const& offset) const
+    template <class N> KOKKOS_FUNCTION Vector<N> stretch_velocity(Vector<N> const& offset) const
     {
         return {strain_rate.x * offset.x, strain_rate.y * offset.y, strain_rate.z * offset.z};
     }

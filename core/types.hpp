@@ -31,6 +31,15 @@ using FieldView = Kokkos::View<Real***, Kokkos::LayoutLeft, MemorySpace>;
 /// Allocation of a View whose every entry is written before it is read.
 inline auto uninitialized(std::string const& label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); }
 
+/// Asks for the cache line at `address` ahead of its use; a GPU hides the wait with other threads. The address need not be
+/// valid.
+KOKKOS_FORCEINLINE_FUNCTION void prefetch([[maybe_unused]] void const* address)
+{
+#if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
+    __builtin_prefetch(address);
+#endif
+}
+
 using GrainId = std::int64_t; // global, never reused: contacts, bonds and random numbers are keyed by it
 
 } // namespace arenite

@@ -58,14 +58,14 @@ std::vector<fs::path> list_checkpoints(fs::path const& folder)
     return paths;
 }
 
-std::optional<fs::path> latest_checkpoint(fs::path const& folder, std::optional<std::uint64_t> const& scene_hash,
+std::optional<fs::path> latest_checkpoint(fs::path const& folder, ExpectedHash const& expected,
                                           std::vector<std::string>& messages)
 {
     auto const paths = list_checkpoints(folder);
     for (auto path = paths.rbegin(); path != paths.rend(); ++path) {
         try {
             CheckpointReader const reader(*path);
-            if (scene_hash) reader.require_scene(*scene_hash);
+            reader.require_scene(expected(reader.stamp()));
             reader.verify();
             return *path;
         } catch (InputError const& fault) {

@@ -4,6 +4,7 @@
 
 #include "io/checkpoint.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace arenite {
@@ -14,10 +15,12 @@ std::filesystem::path checkpoint_path(std::filesystem::path const& folder, std::
 /// Those in the folder, by step.
 std::vector<std::filesystem::path> list_checkpoints(std::filesystem::path const& folder);
 
-/// The newest one that is whole and belongs to the scene (any scene without a hash). Every one that is
-/// passed over adds its fault to `messages`.
-std::optional<std::filesystem::path> latest_checkpoint(std::filesystem::path const& folder,
-                                                       std::optional<std::uint64_t> const& scene_hash,
+/// The hash that a checkpoint with this stamp has if it belongs to the scene at hand.
+using ExpectedHash = std::function<std::uint64_t(CheckpointStamp const&)>;
+
+/// The newest one that is whole and belongs to the scene. Every one that is passed over adds its fault to
+/// `messages`.
+std::optional<std::filesystem::path> latest_checkpoint(std::filesystem::path const& folder, ExpectedHash const& expected,
                                                        std::vector<std::string>& messages);
 
 /// Deletes all but the last `keep` of those that do not end a stage. Unreadable ones are left alone.

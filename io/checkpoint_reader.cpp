@@ -140,8 +140,9 @@ void CheckpointReader::require_scene(std::uint64_t hash) const
 {
     if (hash == file_->stamp.scene_hash) return;
     file_->fail(fmt::format(
-        "was written for another scene (its hash is {:016x}, this scene's is {:016x}); resume with the scene "
-        "that wrote it",
+        "was written for another scene: what made the state differs from this scene, or the files that the scenes "
+        "name do (hash {:016x}, this scene's {:016x}); only stages that have not begun, the duration and end of the stage "
+        "in progress and the output may change",
         file_->stamp.scene_hash, hash));
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Forces between grains: each pair is evaluated once, under a law that was chosen outside the step.
+// Forces between grains: each pair is evaluated once, under a law that was chosen outside the step, lane_count
+// pairs at a time.
 //
-// Traffic of a touching pair (JKR with history): 192 B of grains (mostly from cache), 32 B scale, 2 x 32 B
-// spring, 64 B force, 10 B of indices and flags; a pair that is only near reads 2 positions and 2 flags.
+// Traffic of a touching pair (JKR with history): 192 B of grains (mostly from cache), 24 B scale, 2 x 32 B
+// spring, 64 B force, 10 B of indices and flags. A block of pairs that are only near reads 2 positions and 2 flags a pair.
 #pragma once
 
 #include "core/contact_list.hpp"
+#include "core/lanes.hpp"
 #include "core/particles.hpp"
 #include "kernels/contact/contact_law.hpp"
 
@@ -14,7 +16,7 @@ namespace arenite {
 /// What a contact asks of the box; chosen per stage, so that a closed box costs nothing.
 enum class BoxKind { closed, periodic, deforming };
 
-/// One contact, as the kernel below runs it. A struct and not a lambda, so that the law's compile-time
+/// lane_count contacts, as the kernel below runs them. A struct and not a lambda, so that the law's compile-time
 /// choices can use `if constexpr` under nvcc.
 template <class Law, BoxKind kind> struct ContactEvaluation {
     Law law;
@@ -24,86 +26,141 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
     PeriodicBox box;
     Real dt;
 
-    KOKKOS_FUNCTION void operator()(int c) const
+    using Numbers = Vector<Lanes>;
+
+    KOKKOS_FORCEINLINE_FUNCTION static LaneRecords records_of(RecordView const& view, int const* grains)
     {
-        int const i = list.first(c), j = list.second(c);
-        Vec3 offset = vector_of(position, i) - vector_of(position, j);
+        return load_records(view.data(), grains);
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION static Numbers vectors_of(RecordView const& view, int const* grains)
+    {
+        LaneRecords const records = records_of(view, grains);
+        return {records.x, records.y, records.z};
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION static Numbers difference(LaneRecords const& a, LaneRecords const& b)
+    {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION Numbers image_shifts(int c) const
+    {
+        Vec3 shift[lane_count];
+        for (int n = 0; n < lane_count; ++n) shift[n] = box.image_shift(list.image(c + n));
+        return {make_lanes([&](int n) { return shift[n].x; }), make_lanes([&](int n) { return shift[n].y; }),
+                make_lanes([&](int n) { return shift[n].z; })};
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION void operator()(int block) const
+    {
+        int const c = block * lane_count;
+        int const *const i = &list.first(c), *const j = &list.second(c);
+        LaneRecords const at_i = records_of(position, i), at_j = records_of(position, j);
+        Numbers offset = difference(at_i, at_j);
         if constexpr (kind != BoxKind::closed)
-            if (list.periodic) offset -= box.image_shift(list.image(c));
-        Real const ri = position(i, 3), rj = position(j, 3);
-        Real const square = dot(offset, offset);
-        bool adhering = false;
-        if constexpr (Law::adheres) adhering = list.adhering(c);
-        if (square >= (ri + rj) * (ri + rj) && !adhering) {
-            if (list.touching(c)) clear(c);
-            return;
+            if (list.periodic) offset -= image_shifts(c);
+        Lanes const ri = at_i.w, rj = at_j.w, square = dot(offset, offset), reach = ri + rj;
+        LaneMask active = square < reach * reach;
+        ContactState<Lanes> state;
+        if constexpr (Law::adheres) {
+            state.adhering = load_flags(&list.adhering(c));
+            active = active || state.adhering;
         }
-        evaluate(c, i, j, offset, Kokkos::sqrt(square));
+        if (!any(active)) return clear(c);
+        evaluate(c, i, j, offset, square_root(square), ri, rj, state);
     }
 
-    KOKKOS_FUNCTION void clear(int c) const
+    KOKKOS_FORCEINLINE_FUNCTION void clear(int c) const
     {
-        list.touching(c) = 0;
+        if (!any(load_flags(&list.touching(c)))) return;
+        store_flags(LaneMask(false), &list.touching(c));
         if constexpr (Law::has_history)
-            for (int n = 0; n < 4; ++n) list.spring(c, n) = 0;
+            for (int k = 0; k < 4; ++k) store_lanes(Lanes(0), &list.spring(c, k));
+        for (int n = 0; n < lane_count; ++n)
+            for (int k = 0; k < 8; ++k) list.force(c + n, k) = 0;
     }
 
-    KOKKOS_FUNCTION void evaluate(int c, int i, int j, Vec3 const& offset, Real distance) const
+    KOKKOS_FORCEINLINE_FUNCTION void evaluate(int c, int const* i, int const* j, Numbers const& offset, Lanes const& distance,
+                                  Lanes const& ri, Lanes const& rj, ContactState<Lanes>& state) const
     {
-        Real const ri = position(i, 3), rj = position(j, 3);
-        ContactGeometry contact;
+        ContactGeometry<Lanes> contact;
         // Concentric grains have no line of centres: they part along z.
-        Real const inverse = distance > 0 ? 1 / distance : 0;
-        contact.normal = distance > 0 ? inverse * offset : Vec3{0, 0, 1};
+        LaneMask const apart = distance > Lanes(0);
+        Lanes const inverse = select(apart, 1 / distance, Lanes(0));
+        contact.normal = inverse * offset;
+        contact.normal.z = select(apart, contact.normal.z, Lanes(1));
         contact.overlap = ri + rj - distance;
         // Arms to the plane of contact; they add up to the distance. A grain wholly inside another has no such
         // plane: its arm stays its radius.
-        Real const sum = ri + rj;
-        Real const lead = Kokkos::fmin(Kokkos::fmax((ri - rj) * sum * inverse, -sum), sum);
-        Real const arm_i = Real(0.5) * (distance + lead), arm_j = Real(0.5) * (distance - lead);
-        Vec3 approach = vector_of(velocity, i) - vector_of(velocity, j);
+        Lanes const sum = ri + rj;
+        Lanes const lead = smaller(larger((ri - rj) * sum * inverse, -sum), sum);
+        Lanes const arm_i = Real(0.5) * (distance + lead), arm_j = Real(0.5) * (distance - lead);
+        Numbers approach = difference(records_of(velocity, i), records_of(velocity, j));
         // The grains of a deforming box ride on its homogeneous flow, which their velocities do not hold.
         if constexpr (kind == BoxKind::deforming) approach += box.stretch_velocity(offset);
         contact.velocity = approach;
-        contact.scale = {list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
+        contact.scale = {load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), 0};
+        if constexpr (Law::adheres) contact.scale.cube_root_of_radius = load_lanes(&list.scale(c, 2));
 
-        ContactState state;
-        if constexpr (Law::adheres) state.adhering = list.adhering(c);
         if constexpr (Law::has_history) {
-            Vec3 const spring = vector_of(list.spring, c);
-            state.previous_radius = list.spring(c, 3);
+            Numbers const spring{load_lanes(&list.spring(c, 0)), load_lanes(&list.spring(c, 1)), load_lanes(&list.spring(c, 2))};
+            state.previous_radius = load_lanes(&list.spring(c, 3));
             // The grains came here along straight lines: the last offset is known exactly.
-            Vec3 previous = normalized_near(offset - dt * approach, inverse);
+            Numbers previous = normalized_near(offset - dt * approach, inverse);
             // Centres that passed each other within the step have no turn to follow.
-            if (!(dot(previous, contact.normal) > 0)) previous = contact.normal;
-            Vec3 const spin_i = step_spin(vector_of(spin, i), dt), spin_j = step_spin(vector_of(spin, j), dt);
-            ContactTurn const turn = contact_turn(previous, contact.normal);
+            previous = select(dot(previous, contact.normal) > Lanes(0), previous, contact.normal);
+            Numbers const spin_i = step_spin(vectors_of(spin, i), dt), spin_j = step_spin(vectors_of(spin, j), dt);
+            ContactTurn<Lanes> const turn = contact_turn(previous, contact.normal);
             contact.velocity = surface_velocity(approach, arm_i * spin_i + arm_j * spin_j, turn, contact.normal);
-            Real const twist = Real(0.25) * dt * dot(spin_i + spin_j, turn.sum);
+            Lanes const twist = Real(0.25) * dt * dot(spin_i + spin_j, turn.sum);
             state.spring = transport_spring(spring, turn, contact.normal, twist);
         }
-        Vec3 const force = law(contact, law.pairs(material(i), material(j)), state, dt);
-        store(c, contact, state, force, arm_i, arm_j);
+        store(c, contact, force_of(contact, i, j, state), state, arm_i, arm_j);
     }
 
-    KOKKOS_FUNCTION void store(int c, ContactGeometry const& contact, ContactState const& state, Vec3 const& force,
-                               Real arm_i, Real arm_j) const
+    /// The law knows one pair of materials at a time.
+    KOKKOS_FORCEINLINE_FUNCTION Numbers force_of(ContactGeometry<Lanes> const& contact, int const* i, int const* j,
+                                     ContactState<Lanes>& state) const
     {
-        list.touching(c) = state.touching;
-        if constexpr (Law::adheres) list.adhering(c) = state.adhering;
-        if constexpr (Law::has_history) {
-            set_vector(list.spring, c, state.spring);
-            list.spring(c, 3) = state.previous_radius;
+        if (lane_count == 1 || law.pairs.materials == 1) return law(contact, law.pairs(pair_index(i, j, 0)), state, dt);
+        int pair[lane_count];
+        for (int n = 0; n < lane_count; ++n) pair[n] = pair_index(i, j, n);
+        Numbers force;
+        ContactState<Lanes> const before = state;
+        for (int n = 0; n < lane_count; ++n) {
+            bool done = false;
+            for (int m = 0; m < n; ++m) done = done || pair[m] == pair[n];
+            if (done) continue;
+            LaneMask const same = make_lanes([&](int m) { return static_cast<Real>(pair[m] == pair[n]); }) > Lanes(0);
+            ContactState<Lanes> after = before;
+            force = select(same, law(contact, law.pairs(pair[n]), after, dt), force);
+            state.spring = select(same, after.spring, state.spring);
+            state.previous_radius = select(same, after.previous_radius, state.previous_radius);
+            state.adhering = select(same, after.adhering, state.adhering);
+            state.touching = select(same, after.touching, state.touching);
         }
-        Vec3 const moment = cross(contact.normal, force);
-        list.force(c, 0) = force.x;
-        list.force(c, 1) = force.y;
-        list.force(c, 2) = force.z;
-        list.force(c, 3) = arm_i;
-        list.force(c, 4) = moment.x;
-        list.force(c, 5) = moment.y;
-        list.force(c, 6) = moment.z;
-        list.force(c, 7) = arm_j;
+        return force;
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION int pair_index(int const* i, int const* j, int n) const
+    {
+        return law.pairs.materials == 1 ? 0 : law.pairs.index(material(i[n]), material(j[n]));
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION void store(int c, ContactGeometry<Lanes> const& contact, Numbers const& force,
+                               ContactState<Lanes> const& state, Lanes const& arm_i, Lanes const& arm_j) const
+    {
+        store_flags(state.touching, &list.touching(c));
+        if constexpr (Law::adheres) store_flags(state.adhering, &list.adhering(c));
+        if constexpr (Law::has_history) {
+            for (int axis = 0; axis < 3; ++axis) store_lanes(state.spring[axis], &list.spring(c, axis));
+            store_lanes(state.previous_radius, &list.spring(c, 3));
+        }
+        Numbers const moment = cross(contact.normal, force);
+        Real* const rows = list.force.data() + 8 * static_cast<std::ptrdiff_t>(c);
+        store_records({force.x, force.y, force.z, arm_i}, rows, 8);
+        store_records({moment.x, moment.y, moment.z, arm_j}, rows + 4, 8);
     }
 };
 
@@ -111,8 +168,9 @@ template <class Law>
 void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox const& box, ContactList const& contacts,
                        Real dt)
 {
+    static_assert(contact_block % lane_count == 0);
     auto const launch = [&](auto evaluation) {
-        Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, contacts.count), evaluation);
+        Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, (contacts.count + lane_count - 1) / lane_count), evaluation);
     };
     auto const make = [&]<BoxKind kind>() {
         return ContactEvaluation<Law, kind>{law, contacts, particles.position, particles.velocity, particles.spin,

@@ -365,7 +365,6 @@ void set_scales(Particles const& particles, ContactList const& contacts)
             list.scale(c, 0) = radius;
             list.scale(c, 1) = mi * mj / (mi + mj);
             list.scale(c, 2) = Kokkos::cbrt(radius);
-            list.scale(c, 3) = 0;
         });
 }
 
@@ -374,7 +373,7 @@ void make_incidence(Particles const& particles, ContactList& contacts)
 {
     int const grains = particles.count;
     contacts.incident_begin = View1<int>("incident_begin", grains + 1);
-    contacts.incident = View1<int>(uninitialized("incident"), 2 * contacts.count);
+    contacts.incident = View1<int>("incident", 2 * contacts.count + incident_ahead);
     ContactList const list = contacts;
     Kokkos::parallel_for(
         "count_incident", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
@@ -435,15 +434,20 @@ void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<in
 
 void allocate_contacts(ContactList& contacts)
 {
-    int const n = contacts.count;
+    int const n = (contacts.count + contact_block - 1) / contact_block * contact_block;
     contacts.first = View1<int>(uninitialized("contact_first"), n);
     contacts.second = View1<int>(uninitialized("contact_second"), n);
     if (contacts.periodic) contacts.image = View1<std::uint8_t>(uninitialized("contact_image"), n);
-    contacts.scale = RecordView(uninitialized("contact_scale"), n);
+    contacts.scale = ContactColumns<3>(uninitialized("contact_scale"), n);
     contacts.touching = View1<std::uint8_t>("contact_touching", n);
     if (contacts.needs.bonds) contacts.adhering = View1<std::uint8_t>("contact_adhering", n);
-    if (contacts.needs.history) contacts.spring = RecordView("contact_spring", n);
-    contacts.force = ForceRows(uninitialized("contact_force"), n);
+    if (contacts.needs.history) contacts.spring = ContactColumns<4>("contact_spring", n);
+    contacts.force = ForceRows("contact_force", n);
+    auto const rest = Kokkos::make_pair(contacts.count, n);
+    Kokkos::deep_copy(Kokkos::subview(contacts.first, rest), 0);
+    Kokkos::deep_copy(Kokkos::subview(contacts.second, rest), 0);
+    if (contacts.periodic) Kokkos::deep_copy(Kokkos::subview(contacts.image, rest), PeriodicBox::image_code(0, 0, 0));
+    Kokkos::deep_copy(Kokkos::subview(contacts.scale, rest, Kokkos::ALL), 1);
 }
 
 /// Puts the grains that stay into locality order; returns the row that each came from.

@@ -40,7 +40,7 @@ KOKKOS_FUNCTION inline Real hertz_energy(Real overlap, Real effective_radius, Re
 }
 
 /// pi gamma R* L (8/15 s^5 - 8/3 s^(7/2) + 2 s^2) between B and the overlap (integral of eqs 12, 13).
-KOKKOS_FUNCTION inline Real jkr_energy(Real overlap, ContactScale const& scale, PairConstants const& pair)
+KOKKOS_FUNCTION inline Real jkr_energy(Real overlap, ContactScale<> const& scale, PairConstants const& pair)
 {
     Real const length = pair.length_factor * scale.cube_root_of_radius;
     Real const y = jkr_root(overlap / length);
@@ -74,7 +74,7 @@ template <class Law> struct ContactTerms {
         if (list.periodic) offset -= box.image_shift(list.image(c));
         Real const overlap = position(i, 3) + position(j, 3) - norm(offset);
         PairConstants const pair = pairs(material(i), material(j));
-        ContactScale const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
+        ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
         Real radius = Kokkos::sqrt(scale.effective_radius * Kokkos::fmax(overlap, Real(0)));
         v.overlap_ratio = overlap / Kokkos::fmin(position(i, 3), position(j, 3));
         if constexpr (Law::adheres) v.adhering = list.adhering(c);

@@ -14,21 +14,21 @@ struct GrainStep {
     Kokkos::View<unsigned, MemorySpace> health;
     bool has_walls, has_applied, has_fluid;
 
+    KOKKOS_FUNCTION Real const* row_of(int entry) const { return contacts.force.data() + 8 * static_cast<std::ptrdiff_t>(entry >> 1); }
+
     KOKKOS_FUNCTION void gather(int i, Vec3& force, Vec3& torque) const
     {
         for (int k = contacts.incident_begin(i); k < contacts.incident_begin(i + 1); ++k) {
-            int const entry = contacts.incident(k), c = entry >> 1;
-            if (!contacts.touching(c)) continue;
-            bool const second = entry & 1;
-            Vec3 const pull{contacts.force(c, 0), contacts.force(c, 1), contacts.force(c, 2)};
-            Vec3 const moment{contacts.force(c, 4), contacts.force(c, 5), contacts.force(c, 6)};
-            force = second ? force - pull : force + pull;
-            torque -= contacts.force(c, second ? 7 : 3) * moment; // (-arm n) x F on both sides
+            prefetch(row_of(contacts.incident(k + incident_ahead)));
+            // Without a branch: rows that do not touch are zero.
+            int const entry = contacts.incident(k), second = entry & 1;
+            Real const* const row = row_of(entry);
+            force += (1 - 2 * second) * Vec3{row[0], row[1], row[2]};
+            torque -= row[3 + 4 * second] * Vec3{row[4], row[5], row[6]}; // (-arm n) x F on both sides
         }
         if (!has_walls) return;
         for (int k = walls.begin(i); k < walls.begin(i + 1); ++k) {
             int const c = walls.contact(k);
-            if (!walls.touching(c)) continue;
             force += Vec3{walls.force(c, 0), walls.force(c, 1), walls.force(c, 2)};
             torque -= walls.force(c, 3) * Vec3{walls.force(c, 4), walls.force(c, 5), walls.force(c, 6)};
         }

@@ -21,7 +21,6 @@ enum Health : unsigned {
 struct WallForceRows {
     View1<int> begin;               // [grain + 1]
     View1<int> contact;             // [entry] rows of a grain's wall contacts, in the order of their elements
-    View1<std::uint8_t> touching;   // [wall contact]
     ForceRows force;                // [wall contact] as in ContactList, the grain being first
 };
 

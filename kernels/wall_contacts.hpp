@@ -46,7 +46,7 @@ void search_wall_contacts(Particles const& particles, Walls const& walls, Real s
 
 inline WallForceRows force_rows(WallContacts const& contacts)
 {
-    return {contacts.begin, contacts.contact, contacts.touching, contacts.force};
+    return {contacts.begin, contacts.contact, contacts.force};
 }
 
 /// What the contacts remember, as flat named arrays (rows in the list's order; ids and flags exact as doubles), and back:

@@ -93,13 +93,13 @@ template <class Law> struct WallContactEvaluation {
         Vec3 const x = vector_of(position, i), spin_i = vector_of(spin, i);
         Real const radius = position(i, 3);
         PairConstants const& pair = law.pairs(material(i), body.material);
-        ContactGeometry contact;
+        ContactGeometry<> contact;
         contact.normal = p.normal;
         contact.overlap = radius - p.distance;
         contact.velocity = vector_of(velocity, i) - p.distance * cross(spin_i, p.normal) -
                            body.pose.velocity_at(x - p.distance * p.normal);
         contact.scale = {radius, velocity(i, 3), Law::adheres ? Kokkos::cbrt(radius) : Real(0)};
-        ContactState state;
+        ContactState<> state;
         if constexpr (Law::adheres) state.adhering = list.adhering(c);
         if constexpr (Law::has_history) {
             Vec3 const spring = vector_of(list.spring, c);

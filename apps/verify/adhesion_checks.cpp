@@ -24,7 +24,7 @@ PairConstants sand_pair(NormalLaw law, Real factor = 1)
 }
 
 /// Integral of the tension [J] from S + from_t^2 to A in t = sqrt(overlap / L - that of S), where it is smooth.
-Real peel_work(PairConstants const& pair, ContactScale const& scale, Real from_t)
+Real peel_work(PairConstants const& pair, ContactScale<> const& scale, Real from_t)
 {
     Real const length = pair.length_factor * scale.cube_root_of_radius;
     Real const end = std::sqrt(-jkr_points::overlap_S);
@@ -43,7 +43,7 @@ Real peel_work(PairConstants const& pair, ContactScale const& scale, Real from_t
 std::vector<VerifyCase> check_jkr_points()
 {
     PairConstants const pair = sand_pair(NormalLaw::jkr);
-    ContactScale const scale = contact_scale(sand(), sand_radius, sand_radius);
+    ContactScale<> const scale = contact_scale(sand(), sand_radius, sand_radius);
     JkrPoints const points = jkr_points_of(pair, scale.effective_radius);
     auto const force = [&](Real overlap) { return jkr_response(overlap, scale, pair).force / points.pull_off_force; };
     Real const h = 1e-4 * points.length; // the third derivative leaves 1e-9
@@ -71,7 +71,7 @@ std::vector<VerifyCase> check_jkr_points()
 std::vector<VerifyCase> check_jkr_curve()
 {
     PairConstants const pair = sand_pair(NormalLaw::jkr);
-    ContactScale const scale = contact_scale(sand(), sand_radius, sand_radius);
+    ContactScale<> const scale = contact_scale(sand(), sand_radius, sand_radius);
     JkrPoints const points = jkr_points_of(pair, scale.effective_radius);
     auto const error_at = [&](Real scaled) {
         Real const length = pair.length_factor * scale.cube_root_of_radius, overlap = scaled * length;
@@ -94,7 +94,7 @@ std::vector<VerifyCase> check_jkr_curve()
 std::vector<VerifyCase> check_work_of_peeling()
 {
     PairConstants const pair = sand_pair(NormalLaw::jkr);
-    ContactScale const scale = contact_scale(sand(), sand_radius, sand_radius);
+    ContactScale<> const scale = contact_scale(sand(), sand_radius, sand_radius);
     Real const unit = jkr_points_of(pair, scale.effective_radius).peel_unit;
     Real const t_C = std::sqrt(jkr_points::overlap_C - jkr_points::overlap_S);
     std::string const quantity = "work / (gamma^5 R*^4/E*^2)^(1/3)";
@@ -118,10 +118,10 @@ struct Pull {
 Pull pull_apart(NormalLaw law)
 {
     PairConstants const pair = sand_pair(law);
-    ContactScale const scale = contact_scale(sand(), sand_radius, sand_radius);
+    ContactScale<> const scale = contact_scale(sand(), sand_radius, sand_radius);
     JkrPoints const points = jkr_points_of(pair, scale.effective_radius);
     CementedSand const contact_law;
-    ContactState state;
+    ContactState<> state;
     state.adhering = 1;
     constexpr int steps = 40000;
     Real const distance = points.overlap_B - 1.5 * points.overlap_S, move = distance / steps, dt = move / 1e-3;
@@ -222,12 +222,12 @@ std::vector<VerifyCase> check_coarse_grained_pair()
 {
     Real force_error = 0, work_error = 0;
     PairConstants const fine = sand_pair(NormalLaw::jkr);
-    ContactScale const fine_scale = contact_scale(sand(), sand_radius, sand_radius);
+    ContactScale<> const fine_scale = contact_scale(sand(), sand_radius, sand_radius);
     Real const fine_work = peel_work(fine, fine_scale, 0);
     Real const pull_off = jkr_points_of(fine, fine_scale.effective_radius).pull_off_force;
     for (Real const k : {2.0, 3.0, 4.0}) {
         PairConstants const coarse = sand_pair(NormalLaw::jkr, k);
-        ContactScale const scale = contact_scale(sand(), k * sand_radius, k * sand_radius);
+        ContactScale<> const scale = contact_scale(sand(), k * sand_radius, k * sand_radius);
         for (int n = 0; n <= 100; ++n) {
             Real const overlap = (-0.5 + 0.1 * n) * fine.length_factor * fine_scale.cube_root_of_radius;
             Real const small = jkr_response(overlap, fine_scale, fine).force;

@@ -21,15 +21,15 @@ struct FrictionCycle {
 };
 
 /// Constant normal force, driven to and fro by amplitude times the slip at which sliding starts.
-FrictionCycle run_friction_cycle(PairConstants const& pair, ContactScale const& scale, Real overlap, int amplitude)
+FrictionCycle run_friction_cycle(PairConstants const& pair, ContactScale<> const& scale, Real overlap, int amplitude)
 {
     constexpr int per_yield = 100; // steps from rest to sliding, so that every corner falls on a step
-    NormalResponse const normal = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
+    NormalResponse<> const normal = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
     Real const limit = pair.friction * normal.force,
                stiffness = 8 * pair.effective_shear_modulus * normal.contact_radius;
     Real const move = limit / stiffness / per_yield;
     DrySand const law;
-    ContactState state;
+    ContactState<> state;
     FrictionCycle cycle;
     Real force = 0;
     auto const drive = [&](int steps, int direction) {
@@ -58,10 +58,10 @@ std::vector<VerifyCase> check_friction_cycle()
     MaterialSettings const material = with(sand(), 1, 0.2);
     PairConstants const pair =
         make_pair(material, material, contact_settings(NormalLaw::hertz, DampingLaw::none, TangentialLaw::secant));
-    ContactScale const scale = contact_scale(material, 0.115e-3, 0.115e-3);
+    ContactScale<> const scale = contact_scale(material, 0.115e-3, 0.115e-3);
     constexpr Real overlap = 1e-7;
     constexpr int amplitude = 5;
-    NormalResponse const normal = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
+    NormalResponse<> const normal = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
     Real const limit = 0.2 * normal.force, yield = limit / (8 * pair.effective_shear_modulus * normal.contact_radius);
     FrictionCycle const cycle = run_friction_cycle(pair, scale, overlap, amplitude);
     std::string const source = "closed form: elastic-sliding parallelogram";

@@ -153,7 +153,7 @@ namespace
 {
 
 /// Overlap at which a contact carries the force, by bisection.
-Real overlap_under(Real force, PairConstants const& pair, ContactScale const& scale)
+Real overlap_under(Real force, PairConstants const& pair, ContactScale<> const& scale)
 {
     Real low = 0, high = 0.1 * scale.effective_radius;
     for (int n = 0; n < 100; ++n) {

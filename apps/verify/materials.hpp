@@ -57,7 +57,7 @@ inline Real sphere_mass(MaterialSettings const& material, Real radius)
 }
 
 /// Two spheres of radii a and b; b = 0 is a plane of infinite mass.
-inline ContactScale contact_scale(MaterialSettings const& material, Real a, Real b)
+inline ContactScale<> contact_scale(MaterialSettings const& material, Real a, Real b)
 {
     Real const mass_a = sphere_mass(material, a);
     if (!(b > 0)) return {a, mass_a, std::cbrt(a)};

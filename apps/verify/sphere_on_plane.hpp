@@ -12,11 +12,11 @@ namespace arenite
 
 struct SphereOnPlane {
     PairConstants pair;
-    ContactScale scale;
+    ContactScale<> scale;
     Real radius = 0, mass = 0;
     Vec3 gravity;                  // m/s2
     Vec3 position, velocity, spin; // position.z = 0 is the touch
-    ContactState state;
+    ContactState<> state;
     Vec3 force, torque;
     CementedSand law; // runs dry pairs too
 };
@@ -45,7 +45,7 @@ inline SphereOnPlane make_collinear_pair(PairConstants const& pair, MaterialSett
 inline void evaluate_force(SphereOnPlane& sphere, Real dt)
 {
     Vec3 const normal{0, 0, 1};
-    ContactGeometry const contact{normal, -sphere.position.z,
+    ContactGeometry<> const contact{normal, -sphere.position.z,
                                   sphere.velocity - sphere.radius * cross(sphere.spin, normal), sphere.scale};
     Vec3 const push = sphere.law(contact, sphere.pair, sphere.state, dt);
     sphere.force = push + sphere.mass * sphere.gravity;
@@ -84,7 +84,7 @@ struct HertzImpact {
     Real overlap, force, duration;
 };
 
-inline HertzImpact hertz_impact(ContactScale const& scale, Real effective_youngs_modulus, Real speed)
+inline HertzImpact hertz_impact(ContactScale<> const& scale, Real effective_youngs_modulus, Real speed)
 {
     Real const root = std::sqrt(scale.effective_radius);
     Real const overlap =

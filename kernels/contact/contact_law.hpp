@@ -9,19 +9,19 @@
 
 namespace arenite {
 
-struct ContactGeometry {
-    Vec3 normal;    // unit, from j to i
-    Real overlap;   // m, > 0 when the spheres interpenetrate
-    Vec3 velocity;  // m/s, of i's surface relative to j's at the contact
-    ContactScale scale;
+template <class N = Real> struct ContactGeometry {
+    Vector<N> normal;    // unit, from j to i
+    N overlap = 0;       // m, > 0 when the spheres interpenetrate
+    Vector<N> velocity;  // m/s, of i's surface relative to j's at the contact
+    ContactScale<N> scale;
 };
 
 /// What a contact remembers from step to step.
-struct ContactState {
-    Vec3 spring;                // xi, m, in the contact plane
-    Real previous_radius = 0;   // a at the last step, m
-    std::uint8_t adhering = 0;  // follows the JKR curve
-    std::uint8_t touching = 0;  // carried a force at the last step
+template <class N = Real> struct ContactState {
+    Vector<N> spring;                            // xi, m, in the contact plane
+    N previous_radius = 0;                       // a at the last step, m
+    MaskOf<N> adhering = MaskOf<N>(false);       // follows the JKR curve
+    MaskOf<N> touching = MaskOf<N>(false);       // carried a force at the last step
 };
 
 template <class Normal, class Tangential> struct ContactLaw {
@@ -30,26 +30,27 @@ template <class Normal, class Tangential> struct ContactLaw {
 
     PairTable pairs;
 
-    /// Force on i [N] (on j: the opposite); the spring must have been transported to the new normal.
-    KOKKOS_FUNCTION Vec3 operator()(ContactGeometry const& contact, PairConstants const& pair, ContactState& state,
-                                    Real dt) const
+    /// Force on i [N] (on j: the opposite); the spring must have been transported to the new normal. A contact that does
+    /// not touch has no force and forgets its spring.
+    template <class N>
+    KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(ContactGeometry<N> const& contact, PairConstants const& pair, ContactState<N>& state,
+                                         Real dt) const
     {
-        NormalResponse response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
+        NormalResponse<N> response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
         state.touching = response.touches;
-        if (!response.touches) {
-            state.spring = {};
-            state.previous_radius = 0;
-            return {};
+        N const normal_velocity = dot(contact.velocity, contact.normal);
+        N const stiffness = 2 * pair.effective_youngs_modulus * response.contact_radius;
+        response.dashpot = pair.damping_factor * square_root(stiffness * contact.scale.effective_mass);
+        N normal_force = response.force - response.dashpot * normal_velocity; // paper eq 32, velocity outside the root
+        if (pair.clip_attraction)
+            normal_force = select(response.pull_off_force > N(0), normal_force, larger(normal_force, N(0)));
+        Vector<N> const slip = contact.velocity - normal_velocity * contact.normal;
+        Vector<N> const tangential = Tangential{}(slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
+        if constexpr (has_history) {
+            state.spring = select(state.touching, state.spring, Vector<N>{});
+            state.previous_radius = select(state.touching, state.previous_radius, N(0));
         }
-        Real const normal_velocity = dot(contact.velocity, contact.normal);
-        Real const stiffness = 2 * pair.effective_youngs_modulus * response.contact_radius;
-        response.dashpot = pair.damping_factor * Kokkos::sqrt(stiffness * contact.scale.effective_mass);
-        Real normal_force = response.force - response.dashpot * normal_velocity; // paper eq 32, velocity outside the root
-        if (pair.clip_attraction && !(response.pull_off_force > 0)) normal_force = Kokkos::fmax(normal_force, Real(0));
-        Vec3 const slip = contact.velocity - normal_velocity * contact.normal;
-        Vec3 const tangential =
-            Tangential{}(slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
-        return normal_force * contact.normal + tangential;
+        return select(state.touching, normal_force * contact.normal + tangential, Vector<N>{});
     }
 };
 

@@ -7,20 +7,23 @@
 namespace arenite {
 
 /// F = 4/3 E* a^3 / R*, a = sqrt(R* overlap), for overlap > 0 (Hertz 1882; physics.md section 1).
-KOKKOS_FUNCTION inline NormalResponse hertz_response(Real overlap, Real effective_radius, Real effective_youngs_modulus)
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> hertz_response(N const& overlap, N const& effective_radius, Real effective_youngs_modulus)
 {
-    Real const radius = Kokkos::sqrt(effective_radius * overlap);
-    return {Real(4) / 3 * effective_youngs_modulus * radius * overlap, radius, 0, true};
+    N const radius = square_root(effective_radius * overlap);
+    return {Real(4) / 3 * effective_youngs_modulus * radius * overlap, radius, 0, MaskOf<N>(true)};
 }
 
 struct HertzNormal {
     static constexpr bool adheres = false;
 
-    KOKKOS_FUNCTION NormalResponse operator()(Real overlap, ContactScale const& scale, PairConstants const& pair,
-                                              std::uint8_t&) const
+    template <class N>
+    KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale, PairConstants const& pair,
+                                                 MaskOf<N>&) const
     {
-        if (overlap <= 0) return {};
-        return hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
+        NormalResponse<N> response = hertz_response(larger(overlap, N(0)), scale.effective_radius, pair.effective_youngs_modulus);
+        response.touches = overlap > N(0);
+        return response;
     }
 };
 

@@ -18,35 +18,36 @@
 namespace arenite {
 
 /// y of the stable branch for D = overlap / L >= D_S; below D_S the value at S.
-KOKKOS_FUNCTION inline Real jkr_root(Real scaled_overlap)
+template <class N> KOKKOS_FORCEINLINE_FUNCTION N jkr_root(N const& scaled_overlap)
 {
     constexpr Real y_S = 0.79370052598409974;                       // 2^(-1/3)
     constexpr Real shift = 1.5, root_of_shift = 1.2247448713915890; // sqrt(3/2)
-    Real const square = Kokkos::fmax(scaled_overlap - jkr_points::overlap_S, Real(0));
-    Real const t = Kokkos::sqrt(square);
-    Real const v = t / (Kokkos::sqrt(t + shift) + root_of_shift);
+    N const square = larger(scaled_overlap - jkr_points::overlap_S, N(0));
+    N const t = square_root(square);
+    N const v = t / (square_root(t + shift) + root_of_shift);
     // Fitted by iterated weighted least squares to z(v)/v on Chebyshev nodes, v in [0, 10].
-    Real const numerator =
+    N const numerator =
         (((0.3239110302929624 * v + 1.9826330073992697) * v + 4.219790593539728) * v + 3.776546358655918) * v +
         1.2599210492641482;
-    Real const denominator =
+    N const denominator =
         (((0.3239109768047354 * v + 1.8430147453437336) * v + 3.6682784835468767) * v + 3.1183321643698894) * v + 1;
     // The fit is of z/v; a touch above 0 keeps Newton's slope from vanishing at S itself.
-    Real const z = Kokkos::fmax(v * (numerator / denominator), Real(1e-30));
-    Real const value = z * z * ((z + 4 * y_S) * z + 6 * y_S * y_S) - square;
-    Real const slope = z * ((4 * z + 12 * y_S) * z + 12 * y_S * y_S);
-    return y_S + Kokkos::fmax(z - value / slope, Real(0));
+    N const z = larger(v * (numerator / denominator), N(1e-30));
+    N const value = z * z * ((z + 4 * y_S) * z + 6 * y_S * y_S) - square;
+    N const slope = z * ((4 * z + 12 * y_S) * z + 12 * y_S * y_S);
+    return y_S + larger(z - value / slope, N(0));
 }
 
 /// Force and contact radius on the stable branch; overlap may be negative down to delta_S.
-KOKKOS_FUNCTION inline NormalResponse jkr_response(Real overlap, ContactScale const& scale, PairConstants const& pair)
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> jkr_response(N const& overlap, ContactScale<N> const& scale, PairConstants const& pair)
 {
-    Real const cube_root = scale.cube_root_of_radius;
-    Real const y = jkr_root(overlap / (pair.length_factor * cube_root));
-    Real const y3 = y * y * y;
-    Real const force_unit = std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius;
+    N const cube_root = scale.cube_root_of_radius;
+    N const y = jkr_root(overlap / (pair.length_factor * cube_root));
+    N const y3 = y * y * y;
+    N const force_unit = std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius;
     return {force_unit * (Real(4) / 3 * y3 - 4) * y3, pair.radius_factor * cube_root * cube_root * y * y, 3 * force_unit,
-            true};
+            MaskOf<N>(true)};
 }
 
 /// An adhering contact follows the JKR curve until it snaps at the pair's break point. Full JKR forms one
@@ -54,14 +55,21 @@ KOKKOS_FUNCTION inline NormalResponse jkr_response(Real overlap, ContactScale co
 struct JkrNormal {
     static constexpr bool adheres = true;
 
-    KOKKOS_FUNCTION NormalResponse operator()(Real overlap, ContactScale const& scale, PairConstants const& pair,
-                                              std::uint8_t& adhering) const
+    template <class N>
+    KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale, PairConstants const& pair,
+                                                 MaskOf<N>& adhering) const
     {
-        if (adhering && overlap < pair.break_overlap * pair.length_factor * scale.cube_root_of_radius) adhering = 0;
-        if (!adhering && overlap >= 0 && pair.forms_on_touch) adhering = 1;
-        if (adhering) return jkr_response(overlap, scale, pair);
-        if (overlap <= 0) return {};
-        return hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
+        adhering = adhering && overlap >= pair.break_overlap * pair.length_factor * scale.cube_root_of_radius;
+        if (pair.forms_on_touch) adhering = adhering || overlap >= N(0);
+        if (all(adhering)) return jkr_response(overlap, scale, pair);
+        NormalResponse<N> response = HertzNormal{}(overlap, scale, pair, adhering);
+        if (!any(adhering)) return response;
+        NormalResponse<N> const bond = jkr_response(overlap, scale, pair);
+        response.force = select(adhering, bond.force, response.force);
+        response.contact_radius = select(adhering, bond.contact_radius, response.contact_radius);
+        response.pull_off_force = select(adhering, bond.pull_off_force, response.pull_off_force);
+        response.touches = response.touches || adhering;
+        return response;
     }
 };
 

@@ -270,16 +270,17 @@ TEST(CheckpointFolder, TheLatestWholeOneOfTheSceneIsTaken)
 {
     test::ScratchFolder const folder;
     std::vector<std::string> messages;
-    EXPECT_FALSE(latest_checkpoint(folder.path(), scene_hash, messages));
+    auto const of_this_scene = [](CheckpointStamp const&) { return scene_hash; };
+    EXPECT_FALSE(latest_checkpoint(folder.path(), of_this_scene, messages));
     write_small(folder.path(), 10);
     fs::path const good = write_small(folder.path(), 200);
     fs::resize_file(write_small(folder.path(), 1000000000), 900); // ten digits
     test::put(folder / "checkpoint-abc.h5", "not ours");
-    EXPECT_EQ(latest_checkpoint(folder.path(), scene_hash, messages), good);
+    EXPECT_EQ(latest_checkpoint(folder.path(), of_this_scene, messages), good);
     ASSERT_EQ(messages.size(), 1u);
     EXPECT_TRUE(contains(messages[0], "checkpoint-1000000000.h5"));
     messages.clear();
-    EXPECT_FALSE(latest_checkpoint(folder.path(), 1, messages));
+    EXPECT_FALSE(latest_checkpoint(folder.path(), [](CheckpointStamp const&) { return 1; }, messages));
     EXPECT_EQ(messages.size(), 3u);
 }
 

@@ -20,7 +20,7 @@ PairConstants pair_of(NormalLaw law, Real surface_energy = 30)
     return make_pair(material, material, contact_settings(law));
 }
 
-ContactScale scale_of(Real a, Real b) { return contact_scale(sand(), a / 2, b / 2); }
+ContactScale<> scale_of(Real a, Real b) { return contact_scale(sand(), a / 2, b / 2); }
 
 struct CurvePoint {
     Real x, radius, force, stiffness; // overlap/|delta_C|, a/a_C, F/F_C, slope |delta_C|/F_C
@@ -43,7 +43,7 @@ constexpr CurvePoint curve[] = {
 TEST(Jkr, FollowsTheUniversalCurve)
 {
     PairConstants const pair = pair_of(NormalLaw::jkr);
-    ContactScale const scale = scale_of(0.23e-3, 0.23e-3);
+    ContactScale<> const scale = scale_of(0.23e-3, 0.23e-3);
     JkrPoints const points = jkr_points_of(pair, scale.effective_radius);
     constexpr Real printed = 2e-10, step = 1e-5;
     for (CurvePoint const& point : curve) {
@@ -80,12 +80,12 @@ TEST(Jkr, HasTheSandsDimensionalPoints)
     constexpr Real printed = 1e-9;
     for (SandPoint const& point : sand_points) {
         PairConstants const pair = pair_of(NormalLaw::jkr, point.surface_energy);
-        ContactScale const scale = scale_of(point.d1, point.d2);
+        ContactScale<> const scale = scale_of(point.d1, point.d2);
         Real const length = pair.length_factor * scale.cube_root_of_radius;
         EXPECT_NEAR(length * jkr_points::overlap_C / point.overlap_C, 1, printed);
         EXPECT_NEAR(length * jkr_points::overlap_B / point.overlap_B, 1, printed);
         EXPECT_NEAR(length * jkr_points::overlap_S / point.overlap_S, 1, printed);
-        NormalResponse const at_C = jkr_response(point.overlap_C, scale, pair);
+        NormalResponse<> const at_C = jkr_response(point.overlap_C, scale, pair);
         EXPECT_NEAR(at_C.pull_off_force / point.pull_off, 1, printed);
         EXPECT_NEAR(at_C.force / point.pull_off, -1, printed);
         EXPECT_NEAR(at_C.contact_radius / point.radius_C, 1, printed);
@@ -100,13 +100,13 @@ TEST(Jkr, HasTheSandsDimensionalPoints)
 TEST(Jkr, IsFiniteForEveryOverlap)
 {
     PairConstants const pair = pair_of(NormalLaw::jkr);
-    ContactScale const scale = scale_of(0.23e-3, 0.23e-3);
+    ContactScale<> const scale = scale_of(0.23e-3, 0.23e-3);
     Real const length = pair.length_factor * scale.cube_root_of_radius;
     Real const at_S = jkr_root(jkr_points::overlap_S);
     EXPECT_NEAR(at_S, std::cbrt(0.5), 1e-15);
     for (Real const below : {-1e6, -2.0, std::nextafter(jkr_points::overlap_S, -2.0)}) EXPECT_EQ(jkr_root(below), at_S);
     for (Real const scaled : {std::nextafter(jkr_points::overlap_S, 0.0), 1e-300, -1e-300, 0.0, 1e6, 1e12}) {
-        NormalResponse const response = jkr_response(scaled * length, scale, pair);
+        NormalResponse<> const response = jkr_response(scaled * length, scale, pair);
         EXPECT_TRUE(std::isfinite(response.force)) << scaled;
         EXPECT_GT(response.contact_radius, 0) << scaled;
     }
@@ -127,10 +127,10 @@ TEST(Jkr, ContactRadiusGrowsWithTheOverlap)
 
 TEST(Jkr, BecomesHertzWithoutAdhesion)
 {
-    ContactScale const scale = scale_of(0.23e-3, 0.23e-3);
+    ContactScale<> const scale = scale_of(0.23e-3, 0.23e-3);
     PairConstants const pair = pair_of(NormalLaw::jkr, 1e-9);
     constexpr Real overlap = 1e-7;
-    NormalResponse const hertz = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
+    NormalResponse<> const hertz = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
     // sqrt(16 pi gamma E* a^3) / F, the leading term.
     constexpr Real small = 1e-4;
     EXPECT_NEAR(jkr_response(overlap, scale, pair).force / hertz.force, 1, small);
@@ -138,9 +138,9 @@ TEST(Jkr, BecomesHertzWithoutAdhesion)
 }
 
 /// The law at an overlap for a contact with that memory.
-std::pair<Real, ContactState> apply(NormalLaw law, Real overlap, bool adhering)
+std::pair<Real, ContactState<>> apply(NormalLaw law, Real overlap, bool adhering)
 {
-    ContactState state;
+    ContactState<> state;
     state.adhering = adhering;
     Vec3 const force = CementedSand{}({{0, 0, 1}, overlap, {}, scale_of(0.23e-3, 0.23e-3)}, pair_of(law), state, 1e-8);
     return {force.z, state};
@@ -182,9 +182,9 @@ TEST(Jkr, BreakPointAIsTheTouch)
     ContactSettings settings = contact_settings(NormalLaw::modified_jkr);
     settings.break_point = BreakPoint::A;
     PairConstants const pair = make_pair(sand(), sand(), settings);
-    ContactState state;
+    ContactState<> state;
     state.adhering = 1;
-    ContactScale const scale = scale_of(0.23e-3, 0.23e-3);
+    ContactScale<> const scale = scale_of(0.23e-3, 0.23e-3);
     EXPECT_LT(CementedSand{}({{0, 0, 1}, 0, {}, scale}, pair, state, 1e-8).z, 0);
     EXPECT_EQ(CementedSand{}({{0, 0, 1}, -1e-20, {}, scale}, pair, state, 1e-8).z, 0);
     EXPECT_FALSE(state.adhering);

@@ -58,17 +58,17 @@ PairConstants rough_pair(TangentialLaw law, FrictionLimit limit = FrictionLimit:
 
 TEST(Tangential, LimitsByName)
 {
-    NormalResponse dry, adhering;
+    NormalResponse<> dry, adhering;
     adhering.pull_off_force = 3;
     PairConstants const thornton = rough_pair(TangentialLaw::secant),
                         paper = rough_pair(TangentialLaw::secant, FrictionLimit::paper);
-    EXPECT_DOUBLE_EQ(friction_limit(thornton, dry, 10), 2);
-    EXPECT_DOUBLE_EQ(friction_limit(thornton, dry, -10), 0);
-    EXPECT_DOUBLE_EQ(friction_limit(thornton, adhering, 0), 0.2 * 6); // a bonded grain at rest carries shear
-    EXPECT_DOUBLE_EQ(friction_limit(thornton, adhering, -3), 0.2 * 3);
-    EXPECT_DOUBLE_EQ(friction_limit(paper, adhering, 0), 0);
-    EXPECT_DOUBLE_EQ(friction_limit(paper, adhering, -3), 0.2 * 3);
-    EXPECT_DOUBLE_EQ(friction_limit(paper, dry, -3), 0);
+    EXPECT_DOUBLE_EQ(friction_limit(thornton, dry, Real(10)), 2);
+    EXPECT_DOUBLE_EQ(friction_limit(thornton, dry, Real(-10)), 0);
+    EXPECT_DOUBLE_EQ(friction_limit(thornton, adhering, Real(0)), 0.2 * 6); // a bonded grain at rest carries shear
+    EXPECT_DOUBLE_EQ(friction_limit(thornton, adhering, Real(-3)), 0.2 * 3);
+    EXPECT_DOUBLE_EQ(friction_limit(paper, adhering, Real(0)), 0);
+    EXPECT_DOUBLE_EQ(friction_limit(paper, adhering, Real(-3)), 0.2 * 3);
+    EXPECT_DOUBLE_EQ(friction_limit(paper, dry, Real(-3)), 0);
 }
 
 /// Work [k_high xi^2] that shearing by xi at one overlap, changing the overlap and shearing back takes.
@@ -77,9 +77,9 @@ Real cycle_work(TangentialLaw law, bool shear_while_pressed)
     constexpr Real low = 1e-8, high = 4e-8, slip = 1e-12; // contact radii 1 : 2
     PairConstants pair = rough_pair(law);
     pair.friction = 1e9; // sticks
-    ContactScale const scale = contact_scale(sand(), 0.115e-3, 0.115e-3);
+    ContactScale<> const scale = contact_scale(sand(), 0.115e-3, 0.115e-3);
     Real const out = shear_while_pressed ? high : low, back = shear_while_pressed ? low : high;
-    ContactState state;
+    ContactState<> state;
     Real work = 0;
     auto const move = [&](Real overlap, Real distance) {
         Real const before = -CementedSand{}({{0, 0, 1}, overlap, {}, scale}, pair, state, 1).x;
@@ -110,8 +110,8 @@ TEST(Tangential, DryPairsFeelTheSameUnderEveryLaw)
     PairConstants const pair =
         make_pair(with(sand(), 0.8, 0.2), with(sand(), 0.8, 0.2),
                   contact_settings(NormalLaw::hertz, DampingLaw::restitution, TangentialLaw::secant));
-    ContactGeometry const contact{normalized({1, 1, 0}), 1e-7, {0.1, 0.3, -0.2}, contact_scale(sand(), 1e-4, 2e-4)};
-    ContactState dry, cemented;
+    ContactGeometry<> const contact{normalized({1, 1, 0}), 1e-7, {0.1, 0.3, -0.2}, contact_scale(sand(), 1e-4, 2e-4)};
+    ContactState<> dry, cemented;
     EXPECT_TRUE(DrySand{}(contact, pair, dry, 1e-8) == CementedSand{}(contact, pair, cemented, 1e-8));
     EXPECT_TRUE(dry.spring == cemented.spring);
 }

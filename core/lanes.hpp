@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Several numbers in one: what the pair kernel computes with, so that one instruction works on as many contacts
+// as the processor's vector unit holds. The laws are templates on the number: Real where one contact is looked at (walls,
+// tests, reports) and on a GPU, whose threads are its lanes; Lanes in the pair kernel.
+//
+// A branch per contact becomes select(mask, a, b); what is rare and dear stays behind `if (any(mask))`. Every
+// lane goes through the same instructions, so a contact's bits do not depend on who shares its vector.
+//
+// The lanes are those of the Parallelism TS (ISO/IEC TS 19570, libstdc++ 11 and later), not Kokkos', whose AVX-512
+// comparisons a > b and a >= b mean b > a and b >= a in 4.5.1. Without the header there is one lane.
+#pragma once
+
+#include "core/vec3.hpp"
+
+#if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL) && __has_include(<experimental/simd>)
+#define ARENITE_HOST_LANES
+#include <cstring>
+#include <experimental/simd>
+#endif
+
+namespace arenite {
+
+template <class N> struct NumberTraits { // of one number
+    using Mask = bool;
+    static constexpr int lanes = 1;
+};
+
+KOKKOS_FORCEINLINE_FUNCTION Real select(bool mask, Real a, Real b) { return mask ? a : b; }
+KOKKOS_FORCEINLINE_FUNCTION bool select(bool mask, bool a, bool b) { return mask ? a : b; }
+KOKKOS_FORCEINLINE_FUNCTION bool any(bool mask) { return mask; }
+KOKKOS_FORCEINLINE_FUNCTION bool all(bool mask) { return mask; }
+// The second number where one is NaN.
+KOKKOS_FORCEINLINE_FUNCTION Real larger(Real a, Real b) { return a > b ? a : b; }
+KOKKOS_FORCEINLINE_FUNCTION Real smaller(Real a, Real b) { return a < b ? a : b; }
+KOKKOS_FORCEINLINE_FUNCTION Real magnitude(Real a) { return Kokkos::fabs(a); }
+KOKKOS_FORCEINLINE_FUNCTION Real square_root(Real a) { return Kokkos::sqrt(a); }
+KOKKOS_FORCEINLINE_FUNCTION Real lane(Real a, int) { return a; }
+
+#ifdef ARENITE_HOST_LANES
+
+using Lanes = std::experimental::native_simd<Real>;
+using LaneMask = Lanes::mask_type;
+template <> struct NumberTraits<Lanes> {
+    using Mask = LaneMask;
+    static constexpr int lanes = static_cast<int>(Lanes::size());
+};
+
+KOKKOS_FORCEINLINE_FUNCTION Lanes select(LaneMask const& mask, Lanes const& a, Lanes const& b)
+{
+    Lanes result = b;
+    where(mask, result) = a;
+    return result;
+}
+KOKKOS_FORCEINLINE_FUNCTION LaneMask select(LaneMask const& mask, LaneMask const& a, LaneMask const& b) { return (mask && a) || (!mask && b); }
+KOKKOS_FORCEINLINE_FUNCTION bool any(LaneMask const& mask) { return any_of(mask); }
+KOKKOS_FORCEINLINE_FUNCTION bool all(LaneMask const& mask) { return all_of(mask); }
+KOKKOS_FORCEINLINE_FUNCTION Lanes larger(Lanes const& a, Lanes const& b) { return select(a > b, a, b); }
+KOKKOS_FORCEINLINE_FUNCTION Lanes smaller(Lanes const& a, Lanes const& b) { return select(a < b, a, b); }
+KOKKOS_FORCEINLINE_FUNCTION Lanes magnitude(Lanes const& a) { return abs(a); }
+KOKKOS_FORCEINLINE_FUNCTION Lanes square_root(Lanes const& a) { return sqrt(a); }
+KOKKOS_FORCEINLINE_FUNCTION Real lane(Lanes const& a, int n) { return a[n]; }
+
+#else
+
+using Lanes = Real;
+using LaneMask = bool;
+
+#endif
+
+inline constexpr int lane_count = NumberTraits<Lanes>::lanes;
+template <class N> using MaskOf = typename NumberTraits<N>::Mask;
+
+template <class N> KOKKOS_FORCEINLINE_FUNCTION Vector<N> select(MaskOf<N> const& mask, Vector<N> const& a, Vector<N> const& b)
+{
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+
+/// Consecutive numbers from memory and back.
+KOKKOS_FORCEINLINE_FUNCTION Lanes load_lanes(Real const* from)
+{
+#ifdef ARENITE_HOST_LANES
+    return Lanes(from, std::experimental::element_aligned);
+#else
+    return *from;
+#endif
+}
+KOKKOS_FORCEINLINE_FUNCTION void store_lanes(Lanes const& lanes, Real* to)
+{
+#ifdef ARENITE_HOST_LANES
+    lanes.copy_to(to, std::experimental::element_aligned);
+#else
+    *to = lanes;
+#endif
+}
+
+/// Consecutive flags, 0 or 1 each.
+KOKKOS_FORCEINLINE_FUNCTION LaneMask load_flags(std::uint8_t const* from)
+{
+#ifdef ARENITE_HOST_LANES
+    bool flags[lane_count];
+    std::memcpy(flags, from, lane_count);
+    return LaneMask(flags, std::experimental::element_aligned);
+#else
+    return *from != 0;
+#endif
+}
+KOKKOS_FORCEINLINE_FUNCTION void store_flags(LaneMask const& mask, std::uint8_t* to)
+{
+#ifdef ARENITE_HOST_LANES
+    bool flags[lane_count];
+    mask.copy_to(flags, std::experimental::element_aligned);
+    std::memcpy(to, flags, lane_count);
+#else
+    *to = mask;
+#endif
+}
+
+/// One number a lane: make(n) is lane n's.
+template <class Make> KOKKOS_FORCEINLINE_FUNCTION Lanes make_lanes(Make const& make)
+{
+#ifdef ARENITE_HOST_LANES
+    return Lanes([&](auto n) { return make(static_cast<int>(n)); });
+#else
+    return make(0);
+#endif
+}
+
+/// A record of four numbers in every lane.
+struct LaneRecords {
+    Lanes x, y, z, w;
+};
+
+#if defined(ARENITE_HOST_LANES) && __has_builtin(__builtin_shufflevector)
+// Whole records are moved and turned in registers: 2 memory accesses and 3 shuffles for 8 numbers, where number by
+// number it takes 8 and 7.
+namespace lanes_detail {
+
+using Quad __attribute__((vector_size(32))) = Real;
+using Octet __attribute__((vector_size(64))) = Real;
+
+inline Quad load_quad(Real const* from)
+{
+    Quad quad;
+    std::memcpy(&quad, from, sizeof quad);
+    return quad;
+}
+
+inline LaneRecords load_eight(Real const* records, int const* rows)
+{
+    auto const quad = [&](int n) { return load_quad(records + 4 * static_cast<std::ptrdiff_t>(rows[n])); };
+    Octet row[4]; // of lanes n and n + 4
+    for (int n = 0; n < 4; ++n) row[n] = __builtin_shufflevector(quad(n), quad(n + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+    Octet const xz01 = __builtin_shufflevector(row[0], row[1], 0, 8, 2, 10, 4, 12, 6, 14);
+    Octet const yw01 = __builtin_shufflevector(row[0], row[1], 1, 9, 3, 11, 5, 13, 7, 15);
+    Octet const xz23 = __builtin_shufflevector(row[2], row[3], 0, 8, 2, 10, 4, 12, 6, 14);
+    Octet const yw23 = __builtin_shufflevector(row[2], row[3], 1, 9, 3, 11, 5, 13, 7, 15);
+    return {Lanes(__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13)),
+            Lanes(__builtin_shufflevector(yw01, yw23, 0, 1, 8, 9, 4, 5, 12, 13)),
+            Lanes(__builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15)),
+            Lanes(__builtin_shufflevector(yw01, yw23, 2, 3, 10, 11, 6, 7, 14, 15))};
+}
+
+inline void store_eight(LaneRecords const& records, Real* to, int stride)
+{
+    auto const x = static_cast<Octet>(records.x), y = static_cast<Octet>(records.y), z = static_cast<Octet>(records.z),
+               w = static_cast<Octet>(records.w);
+    Octet const xy0 = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14), zw0 = __builtin_shufflevector(z, w, 0, 8, 2, 10, 4, 12, 6, 14);
+    Octet const xy1 = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15), zw1 = __builtin_shufflevector(z, w, 1, 9, 3, 11, 5, 13, 7, 15);
+    Octet const row[4] = {__builtin_shufflevector(xy0, zw0, 0, 1, 8, 9, 4, 5, 12, 13),
+                          __builtin_shufflevector(xy1, zw1, 0, 1, 8, 9, 4, 5, 12, 13),
+                          __builtin_shufflevector(xy0, zw0, 2, 3, 10, 11, 6, 7, 14, 15),
+                          __builtin_shufflevector(xy1, zw1, 2, 3, 10, 11, 6, 7, 14, 15)};
+    for (int n = 0; n < 4; ++n) {
+        Quad const low = __builtin_shufflevector(row[n], row[n], 0, 1, 2, 3), high = __builtin_shufflevector(row[n], row[n], 4, 5, 6, 7);
+        std::memcpy(to + n * stride, &low, sizeof low);
+        std::memcpy(to + (n + 4) * stride, &high, sizeof high);
+    }
+}
+
+} // namespace lanes_detail
+#endif
+
+/// Record `rows[n]` of four numbers each in lane n.
+KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int const* rows)
+{
+#if defined(ARENITE_HOST_LANES) && __has_builtin(__builtin_shufflevector)
+    if constexpr (lane_count == 8) return lanes_detail::load_eight(records, rows);
+#endif
+    Lanes part[4];
+    for (int k = 0; k < 4; ++k) part[k] = make_lanes([&](int n) { return records[4 * static_cast<std::ptrdiff_t>(rows[n]) + k]; });
+    return {part[0], part[1], part[2], part[3]};
+}
+
+/// Lane n's record to `to + n * stride`.
+KOKKOS_FORCEINLINE_FUNCTION void store_records(LaneRecords const& records, Real* to, int stride)
+{
+#if defined(ARENITE_HOST_LANES) && __has_builtin(__builtin_shufflevector)
+    if constexpr (lane_count == 8) return lanes_detail::store_eight(records, to, stride);
+#endif
+    for (int n = 0; n < lane_count; ++n) {
+        to[n * stride] = lane(records.x, n);
+        to[n * stride + 1] = lane(records.y, n);
+        to[n * stride + 2] = lane(records.z, n);
+        to[n * stride + 3] = lane(records.w, n);
+    }
+}
+
+} // namespace arenite
