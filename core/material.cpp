@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/jkr_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -93,18 +94,22 @@ std::vector<PairConstants> make_pair_constants(Scene const& scene, StageSettings
             MaterialSettings a = materials[i], b = materials[j];
             if (a.surface_energy != b.surface_energy) a.surface_energy = b.surface_energy = 0;
             ContactSettings law = contact;
-            auto const apply = [&](InteractionSettings const& named) {
+            auto const is_meant = [&](InteractionSettings const& named) {
                 bool const same = named.materials[0] == a.name && named.materials[1] == b.name;
                 bool const swapped = named.materials[1] == a.name && named.materials[0] == b.name;
-                if (!same && !swapped) return;
+                return same || swapped;
+            };
+            auto const apply = [&](InteractionSettings const& named) {
+                if (!is_meant(named)) return;
                 if (named.restitution) a.restitution = b.restitution = *named.restitution;
                 if (named.friction) a.friction = b.friction = *named.friction;
                 if (named.surface_energy)
                     a.surface_energy = b.surface_energy = *named.surface_energy * scene.coarse_graining.factor;
                 if (named.contact) law = *named.contact;
             };
-            for (InteractionSettings const& named : scene.interactions) apply(named);
-            for (InteractionSettings const& named : stage.interactions) apply(named);
+            // A stage's entry is complete: the scene's for the same pair does not show through.
+            bool const replaced = std::any_of(stage.interactions.begin(), stage.interactions.end(), is_meant);
+            for (InteractionSettings const& named : replaced ? stage.interactions : scene.interactions) apply(named);
             pairs[i * n + j] = make_pair(a, b, law);
         }
     return pairs;

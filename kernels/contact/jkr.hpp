@@ -24,7 +24,8 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N jkr_root(N const& scaled_overla
     constexpr Real shift = 1.5, root_of_shift = 1.2247448713915890; // sqrt(3/2)
     N const square = larger(scaled_overlap - jkr_points::overlap_S, N(0));
     N const t = square_root(square);
-    N const v = t / (square_root(t + shift) + root_of_shift);
+    // t is 0 or at least 1.5e-8 (a rounding of the overlap): the difference keeps seven digits, Newton makes it fourteen.
+    N const v = square_root(t + shift) - root_of_shift;
     // Fitted by iterated weighted least squares to z(v)/v on Chebyshev nodes, v in [0, 10].
     N const numerator =
         (((0.3239110302929624 * v + 1.9826330073992697) * v + 4.219790593539728) * v + 3.776546358655918) * v +
@@ -61,9 +62,9 @@ struct JkrNormal {
     {
         adhering = adhering && overlap >= pair.break_overlap * pair.length_factor * scale.cube_root_of_radius;
         if (pair.forms_on_touch) adhering = adhering || overlap >= N(0);
-        if (all(adhering)) return jkr_response(overlap, scale, pair);
-        NormalResponse<N> response = HertzNormal{}(overlap, scale, pair, adhering);
-        if (!any(adhering)) return response;
+        if (!any(adhering)) return HertzNormal{}(overlap, scale, pair, adhering);
+        NormalResponse<N> response;
+        if (any(overlap > N(0) && !adhering)) response = HertzNormal{}(overlap, scale, pair, adhering);
         NormalResponse<N> const bond = jkr_response(overlap, scale, pair);
         response.force = select(adhering, bond.force, response.force);
         response.contact_radius = select(adhering, bond.contact_radius, response.contact_radius);

@@ -51,5 +51,27 @@ within "$peak" 1.625774198e-2 1e-6 "the bond's strength" # 3 pi gamma R*
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { if ($i == "bonds") b = i; if ($i == "stage") s = i } }
          $s == "push" && $b > 0 { found = 1 } END { exit found }' "$work/pull/history.csv" || fault "the broken bond came back"
 
+if "$program" info | grep -q '^HDF5: [0-9]'; then # checkpoints
+# A run goes on under a scene whose later stages have changed, and under no other.
+cp "$scenes/pull_test.csv" "$work/"
+cp "$scenes/pull_test.toml" "$work/later.toml"
+expect 0 "stopped" "$program" run "$work/later.toml" -o "$work/later" --until pull
+sed -i '/name = "push"/,$ s/^duration = 5e-4/duration = 1e-5/' "$work/later.toml"
+expect 0 "done" "$program" run "$work/later.toml" -o "$work/later" --resume
+sed 's/friction = 0.2/friction = 0.3/' "$work/later.toml" >"$work/other.toml"
+expect 2 "another scene" "$program" run "$work/other.toml" -o "$work/later" --resume
+sed -i "s/2.297667591e-4/2.297667592e-4/" "$work/pull_test.csv"
+cmp -s "$scenes/pull_test.csv" "$work/pull_test.csv" && fault "the test does not change the CSV"
+expect 2 "another scene" "$program" run "$work/later.toml" -o "$work/later" --resume
+
+# The grains of an earlier run: a checkpoint as source, and a time step that comes from their diameters.
+sed -e "s/^source = .*/source = \"checkpoint\"/; s#^file = .*#file = \"$(ls "$work"/pull/checkpoint-*.h5 | tail -1)\"#" \
+    -e 's/^time_step = 1e-8 .*/time_step_fraction = 0.1/; s/^time_step = 1e-8$/time_step_fraction = 0.1/; s/^duration = 5e-4.*/duration = 1e-5/' \
+    "$scenes/pull_test.toml" >"$work/again.toml"
+expect 0 "done" "$program" run "$work/again.toml" -o "$work/again"
+sed -i 's#^file = .*#file = "nowhere.h5"#' "$work/again.toml"
+expect 2 "nowhere.h5" "$program" run "$work/again.toml" -o "$work/again2"
+fi
+
 [ "$faults" -eq 0 ] && echo "all as it should be"
 exit "$((faults > 0))"

@@ -103,6 +103,8 @@ TEST(Material, StageInteractionsReplaceTheScenes)
     stage.interactions = {named};
     EXPECT_EQ(make_pair_constants(scene, stage, stage.contact)[1].friction, 0.1);
     EXPECT_EQ(make_pair_constants(scene, stage, stage.contact)[0].friction, 0.2);
+    stage.interactions[0].friction.reset(); // complete: the scene's 0.6 does not show through
+    EXPECT_EQ(make_pair_constants(scene, stage, stage.contact)[1].friction, 0.2);
 }
 
 } // namespace
