@@ -123,7 +123,14 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
     KOKKOS_FORCEINLINE_FUNCTION Numbers force_of(ContactGeometry<Lanes> const& contact, int const* i, int const* j,
                                      ContactState<Lanes>& state) const
     {
-        if (lane_count == 1 || law.pairs.materials == 1) return law(contact, law.pairs(pair_index(i, j, 0)), state, dt);
+        if constexpr (lane_count == 1) return law(contact, law.pairs(pair_index(i, j, 0)), state, dt);
+        else if (law.pairs.materials == 1) return law(contact, law.pairs(0), state, dt);
+        else return force_of_mixed(contact, i, j, state);
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION Numbers force_of_mixed(ContactGeometry<Lanes> const& contact, int const* i, int const* j,
+                                                       ContactState<Lanes>& state) const
+    {
         int pair[lane_count];
         for (int n = 0; n < lane_count; ++n) pair[n] = pair_index(i, j, n);
         Numbers force;

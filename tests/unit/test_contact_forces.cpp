@@ -147,5 +147,48 @@ TEST(ContactForces, SeparationForgetsTheSpring)
     for (Real const value : pair.spring) EXPECT_EQ(value, 0);
 }
 
+/// Twelve pairs of grains, far from each other: more than a vector holds, and not a whole number of vectors.
+SystemSettings pairs_of_two_materials()
+{
+    SystemSettings settings = rough_pair(first(), second());
+    MaterialSettings dry = with(sand(), 0.5, 0.6);
+    dry.name = "dry";
+    dry.youngs_modulus /= 3;
+    dry.surface_energy = 0;
+    settings.materials.push_back(dry);
+    settings.grains.clear();
+    for (int n = 0; n < 12; ++n)
+        for (Grain grain : {first(), second()}) {
+            grain.material = (grain.id == 0 ? n : n / 2) % 2;
+            grain.position += Vec3{2e-3 * n, 0, 0};
+            if (n == 5 && grain.id == 1) grain.position.y += 4e-5; // near, but apart
+            grain.diameter *= 1 + 0.01 * n;
+            grain.id += 2 * n;
+            settings.grains.push_back(grain);
+        }
+    return settings;
+}
+
+TEST(ContactForces, DoNotDependOnWhoSharesTheVector)
+{
+    SystemSettings const together = pairs_of_two_materials();
+    GrainSystem system = make_system(together);
+    evaluate(system);
+    kick(system.integrator, {}, system.particles, system.contacts, {});
+    int touching = 0;
+    for (int n = 0; n < 12; ++n) {
+        SystemSettings alone = together;
+        alone.grains = {together.grains[2 * n], together.grains[2 * n + 1]};
+        GrainSystem pair = make_system(alone);
+        evaluate(pair);
+        kick(pair.integrator, {}, pair.particles, pair.contacts, {});
+        Vec3 const force = force_on(pair, 2 * n);
+        touching += norm(force) > 0;
+        EXPECT_EQ(force_on(system, 2 * n), force) << n;
+        EXPECT_EQ(force_on(system, 2 * n + 1), -force) << n;
+    }
+    EXPECT_EQ(touching, 11);
+}
+
 } // namespace
 } // namespace arenite
