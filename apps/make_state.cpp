@@ -3,6 +3,7 @@
 
 #include "apps/given_grains.hpp"
 #include "apps/sample.hpp"
+#include "io/atomic_file.hpp"
 #include "io/scene_reader.hpp"
 #include "io/stl.hpp"
 #include "kernels/packing.hpp"
@@ -51,9 +52,19 @@ Region fluid_box(Scene const& scene, RunState const& state)
 
 } // namespace
 
+std::uint64_t hash_of_inputs(Scene const& scene)
+{
+    std::string content;
+    if (has_given_grains(scene)) content += read_file(path_of(scene, scene.particles.file));
+    for (WallSettings const& wall : scene.walls)
+        if (wall.shape == WallShape::mesh) content += read_file(path_of(scene, wall.file));
+    return hash_of(content);
+}
+
 RunState make_run_state(Scene const& scene)
 {
     RunState state;
+    state.inputs = hash_of_inputs(scene);
     state.box.lower = scene.domain.lower;
     state.box.upper = scene.domain.upper;
     for (int axis = 0; axis < 3; ++axis) state.box.periodic[axis] = scene.domain.periodic[axis];

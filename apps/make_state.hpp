@@ -9,6 +9,9 @@
 
 namespace arenite {
 
+/// Hash of the content of the grain, checkpoint and mesh files that the scene names. Throws InputError.
+std::uint64_t hash_of_inputs(Scene const& scene);
+
 /// Walls at their places and grains from a file or a checkpoint; grains of a distribution come with its generation
 /// stage. Throws InputError.
 RunState make_run_state(Scene const& scene);

@@ -56,7 +56,10 @@ RunState resumed_state(RunOptions const& options, fs::path const& folder, Scene 
     std::vector<std::string> messages;
     std::optional<fs::path> path;
     if (!options.checkpoint.empty()) path = options.checkpoint;
-    else path = latest_checkpoint(folder, [&](auto const& stamp) { return past_hash(scene, plan, stamp); }, messages);
+    else {
+        std::uint64_t const inputs = hash_of_inputs(scene);
+        path = latest_checkpoint(folder, [&](auto const& stamp) { return past_hash(scene, plan, stamp, inputs); }, messages);
+    }
     for (std::string const& message : messages) std::fputs(("passed over: " + message + "\n").c_str(), stderr);
     if (!path) throw InputError(fmt::format("--resume: no checkpoint of this scene in {}", folder.string()));
     RunState state = load_checkpoint(*path, scene, plan);

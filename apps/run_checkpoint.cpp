@@ -2,9 +2,10 @@
 #include "apps/run_checkpoint.hpp"
 
 #include "apps/make_state.hpp"
-#include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
 #include "io/scene_reader.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -165,7 +166,8 @@ void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage con
 
 } // namespace
 
-std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointStamp const& stamp)
+std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointStamp const& stamp,
+                        std::uint64_t inputs)
 {
     auto const last = std::find_if(plan.begin(), plan.end(), [&](auto const& p) { return p.label == stamp.stage; });
     if (last == plan.end()) return 0;
@@ -180,19 +182,14 @@ std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointSta
         past.stages.back().duration = 0;
         past.stages.back().end = {};
     }
-    std::string made_of = resolved_scene(past);
-    auto const add_file = [&](std::string const& name) { made_of += read_file(path_of(scene, name)); };
-    if (scene.particles.source == ParticleSource::file || scene.particles.source == ParticleSource::checkpoint) add_file(scene.particles.file);
-    for (WallSettings const& wall : scene.walls)
-        if (wall.shape == WallShape::mesh) add_file(wall.file);
-    return hash_of(made_of);
+    return hash_of(fmt::format("{}# inputs {:016x}\n", resolved_scene(past), inputs));
 }
 
 void save_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan, RunState& state,
                      bool stage_end)
 {
     CheckpointStamp stamp{state.clock.step, state.clock.time(), plan[state.clock.stage - (stage_end ? 1 : 0)].label, stage_end};
-    stamp.scene_hash = past_hash(scene, plan, stamp);
+    stamp.scene_hash = past_hash(scene, plan, stamp, state.inputs);
     CheckpointWriter out(path, stamp);
     for_each_number(state, [&](std::string const& name, auto const& number) { out.value(name, number); });
     for_each_array(state, [&](std::string const& name, auto const& view) {
@@ -211,8 +208,8 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
 RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan)
 {
     CheckpointReader const in(path);
-    in.require_scene(past_hash(scene, plan, in.stamp()));
     RunState state = make_run_state(scene);
+    in.require_scene(past_hash(scene, plan, in.stamp(), state.inputs));
     for_each_number(state, [&](std::string const& name, auto& number) { number = in.value<std::decay_t<decltype(number)>>(name); });
     for_each_array(state, [&](std::string const& name, auto& view) {
         view = {};

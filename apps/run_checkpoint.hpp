@@ -12,8 +12,8 @@
 namespace arenite {
 
 /// Hash of all that made a state with this stamp: the scene without the stages to come, its output settings and, while a
-/// stage runs, when that ends; with the content of the files that it names. 0 if the plan has no such stage.
-std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointStamp const& stamp);
+/// stage runs, when that ends; with inputs, which is hash_of_inputs. 0 if the plan has no such stage.
+std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointStamp const& stamp, std::uint64_t inputs);
 
 /// Throws OutputError if it cannot be written.
 void save_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan, RunState& state,

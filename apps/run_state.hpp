@@ -51,6 +51,7 @@ struct RunState {
     PeriodicBox box;
     Walls walls;
     ContactList contacts;
+    std::uint64_t inputs = 0; // hash_of_inputs when the run or its resume began: the files are needed no longer
     WallContacts wall_contacts;
     Integrator integrator;
     std::unique_ptr<FluidState> fluid;

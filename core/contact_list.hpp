@@ -49,7 +49,7 @@ struct ContactList {
     ForceRows force;                 // [contact] N and m, no force and moment where not touching
 
     View1<int> incident_begin;       // [grain + 1]
-    View1<int> incident;             // [2 contact] contact * 2 + (1 where the grain is second), by partner id
+    View1<int> incident;             // [2 contact + incident_ahead] contact * 2 + (1 where the grain is second), by partner id
 
     RecordView reference_position;   // [grain] where the grains were when the list was built
     Real skin = 0;                   // m: pairs closer than skin are listed

@@ -127,7 +127,8 @@ template <class Make> KOKKOS_FORCEINLINE_FUNCTION Lanes make_lanes(Make const& m
 
 /// A record of four numbers in every lane.
 struct LaneRecords {
-    Lanes x, y, z, w;
+    Vector<Lanes> xyz;
+    Lanes w;
 };
 
 #if defined(ARENITE_HOST_LANES) && __has_builtin(__builtin_shufflevector)
@@ -154,15 +155,15 @@ inline LaneRecords load_eight(Real const* records, int const* rows)
     Octet const yw01 = __builtin_shufflevector(row[0], row[1], 1, 9, 3, 11, 5, 13, 7, 15);
     Octet const xz23 = __builtin_shufflevector(row[2], row[3], 0, 8, 2, 10, 4, 12, 6, 14);
     Octet const yw23 = __builtin_shufflevector(row[2], row[3], 1, 9, 3, 11, 5, 13, 7, 15);
-    return {Lanes(__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13)),
-            Lanes(__builtin_shufflevector(yw01, yw23, 0, 1, 8, 9, 4, 5, 12, 13)),
-            Lanes(__builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15)),
+    return {{Lanes(__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13)),
+             Lanes(__builtin_shufflevector(yw01, yw23, 0, 1, 8, 9, 4, 5, 12, 13)),
+             Lanes(__builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15))},
             Lanes(__builtin_shufflevector(yw01, yw23, 2, 3, 10, 11, 6, 7, 14, 15))};
 }
 
 inline void store_eight(LaneRecords const& records, Real* to, int stride)
 {
-    auto const x = static_cast<Octet>(records.x), y = static_cast<Octet>(records.y), z = static_cast<Octet>(records.z),
+    auto const x = static_cast<Octet>(records.xyz.x), y = static_cast<Octet>(records.xyz.y), z = static_cast<Octet>(records.xyz.z),
                w = static_cast<Octet>(records.w);
     Octet const xy0 = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14), zw0 = __builtin_shufflevector(z, w, 0, 8, 2, 10, 4, 12, 6, 14);
     Octet const xy1 = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15), zw1 = __builtin_shufflevector(z, w, 1, 9, 3, 11, 5, 13, 7, 15);
@@ -188,7 +189,7 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int co
 #endif
     Lanes part[4];
     for (int k = 0; k < 4; ++k) part[k] = make_lanes([&](int n) { return records[4 * static_cast<std::ptrdiff_t>(rows[n]) + k]; });
-    return {part[0], part[1], part[2], part[3]};
+    return {{part[0], part[1], part[2]}, part[3]};
 }
 
 /// Lane n's record to `to + n * stride`.
@@ -198,9 +199,9 @@ KOKKOS_FORCEINLINE_FUNCTION void store_records(LaneRecords const& records, Real*
     if constexpr (lane_count == 8) return lanes_detail::store_eight(records, to, stride);
 #endif
     for (int n = 0; n < lane_count; ++n) {
-        to[n * stride] = lane(records.x, n);
-        to[n * stride + 1] = lane(records.y, n);
-        to[n * stride + 2] = lane(records.z, n);
+        to[n * stride] = lane(records.xyz.x, n);
+        to[n * stride + 1] = lane(records.xyz.y, n);
+        to[n * stride + 2] = lane(records.xyz.z, n);
         to[n * stride + 3] = lane(records.w, n);
     }
 }

@@ -35,9 +35,7 @@ inline auto uninitialized(std::string const& label) { return Kokkos::view_alloc(
 /// valid.
 KOKKOS_FORCEINLINE_FUNCTION void prefetch([[maybe_unused]] void const* address)
 {
-#if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
-    __builtin_prefetch(address);
-#endif
+    KOKKOS_IF_ON_HOST((__builtin_prefetch(address);))
 }
 
 using GrainId = std::int64_t; // global, never reused: contacts, bonds and random numbers are keyed by it

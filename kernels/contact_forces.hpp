@@ -33,17 +33,6 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         return load_records(view.data(), grains);
     }
 
-    KOKKOS_FORCEINLINE_FUNCTION static Numbers vectors_of(RecordView const& view, int const* grains)
-    {
-        LaneRecords const records = records_of(view, grains);
-        return {records.x, records.y, records.z};
-    }
-
-    KOKKOS_FORCEINLINE_FUNCTION static Numbers difference(LaneRecords const& a, LaneRecords const& b)
-    {
-        return {a.x - b.x, a.y - b.y, a.z - b.z};
-    }
-
     KOKKOS_FORCEINLINE_FUNCTION Numbers image_shifts(int c) const
     {
         Vec3 shift[lane_count];
@@ -57,7 +46,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         int const c = block * lane_count;
         int const *const i = &list.first(c), *const j = &list.second(c);
         LaneRecords const at_i = records_of(position, i), at_j = records_of(position, j);
-        Numbers offset = difference(at_i, at_j);
+        Numbers offset = at_i.xyz - at_j.xyz;
         if constexpr (kind != BoxKind::closed)
             if (list.periodic) offset -= image_shifts(c);
         Lanes const ri = at_i.w, rj = at_j.w, square = dot(offset, offset), reach = ri + rj;
@@ -96,7 +85,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         Lanes const sum = ri + rj;
         Lanes const lead = smaller(larger((ri - rj) * sum * inverse, -sum), sum);
         Lanes const arm_i = Real(0.5) * (distance + lead), arm_j = Real(0.5) * (distance - lead);
-        Numbers approach = difference(records_of(velocity, i), records_of(velocity, j));
+        Numbers approach = records_of(velocity, i).xyz - records_of(velocity, j).xyz;
         // The grains of a deforming box ride on its homogeneous flow, which their velocities do not hold.
         if constexpr (kind == BoxKind::deforming) approach += box.stretch_velocity(offset);
         contact.velocity = approach;
@@ -110,7 +99,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
             Numbers previous = normalized_near(offset - dt * approach, inverse);
             // Centres that passed each other within the step have no turn to follow.
             previous = select(dot(previous, contact.normal) > Lanes(0), previous, contact.normal);
-            Numbers const spin_i = step_spin(vectors_of(spin, i), dt), spin_j = step_spin(vectors_of(spin, j), dt);
+            Numbers const spin_i = step_spin(records_of(spin, i).xyz, dt), spin_j = step_spin(records_of(spin, j).xyz, dt);
             ContactTurn<Lanes> const turn = contact_turn(previous, contact.normal);
             contact.velocity = surface_velocity(approach, arm_i * spin_i + arm_j * spin_j, turn, contact.normal);
             Lanes const twist = Real(0.25) * dt * dot(spin_i + spin_j, turn.sum);
@@ -166,8 +155,8 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         }
         Numbers const moment = cross(contact.normal, force);
         Real* const rows = list.force.data() + 8 * static_cast<std::ptrdiff_t>(c);
-        store_records({force.x, force.y, force.z, arm_i}, rows, 8);
-        store_records({moment.x, moment.y, moment.z, arm_j}, rows + 4, 8);
+        store_records({force, arm_i}, rows, 8);
+        store_records({moment, arm_j}, rows + 4, 8);
     }
 };
 
