@@ -49,12 +49,35 @@ template <class State, class Function> void for_each_array(State& state, Functio
     f("particles/size_class", state.particles.size_class);
     f("particles/applied_force", state.particles.applied_force);
     f("particles/fluid_force", state.particles.fluid_force);
+    f("particles/pressure_force", state.particles.pressure_force);
     f("contacts/row_begin", state.contacts.row_begin);
     f("contacts/second", state.contacts.second);
     f("contacts/touching", state.contacts.touching);
     f("contacts/adhering", state.contacts.adhering);
     f("contacts/spring", state.contacts.spring);
     f("contacts/force", state.contacts.force);
+}
+
+void save_energy(CheckpointWriter& out, EnergyAccount const& account)
+{
+    out.array("energy/power", std::vector<Real>(account.power.begin(), account.power.end()));
+    out.array("energy/work", std::vector<Real>(account.work.begin(), account.work.end()));
+    out.array("energy/sums", std::vector<Real>{account.adhesion, account.removed, account.start, account.start_tangential});
+}
+
+EnergyAccount load_energy(CheckpointReader const& in)
+{
+    EnergyAccount account;
+    std::vector<Real> const power = in.array<Real>("energy/power"), work = in.array<Real>("energy/work"), sums = in.array<Real>("energy/sums");
+    for (int n = 0; n < work_count; ++n) {
+        account.power[n] = power.at(n);
+        account.work[n] = work.at(n);
+    }
+    account.adhesion = sums.at(0);
+    account.removed = sums.at(1);
+    account.start = sums.at(2);
+    account.start_tangential = sums.at(3);
+    return account;
 }
 
 /// Motion as bytes, since a checkpoint knows numbers only.
@@ -146,10 +169,11 @@ void save_fluid(CheckpointWriter& out, FluidState& fluid)
 
 void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage const& planned, RunState& state)
 {
-    RecordView const held_force = state.particles.fluid_force;
+    RecordView const held_force = state.particles.fluid_force, pressure_force = state.particles.pressure_force;
     std::vector<Real> const b = in.array<Real>("fluid_box");
     prepare_fluid(scene, planned, state, Region{{b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)}});
     if (held_force.is_allocated()) state.particles.fluid_force = held_force;
+    if (pressure_force.is_allocated()) state.particles.pressure_force = pressure_force;
     FluidState& fluid = *state.fluid;
     for_each_state_field(fluid.flow, fluid.solver, [&](std::string const& name, auto& field) {
         if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Real>) field = in.value<Real>("fluid/" + name);
@@ -196,6 +220,7 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
         if (view.is_allocated()) out.array(name, view);
     });
     out.array("particles/motion", motion_bytes(state.particles));
+    if (state.energy) save_energy(out, *state.energy);
     save_groups(out, state.groups);
     out.value("contacts/count", state.contacts.count);
     save_named(out, "walls/", save_walls(state.walls));
@@ -219,6 +244,9 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
     in.view("particles/motion", motion);
     restore_motion(motion, state.particles);
     state.particles.count = static_cast<int>(state.particles.id.extent(0));
+    // A balance may be asked for from here on, or no longer: output is the scene's to change.
+    if (!scene.output.energies) state.particles.pressure_force = {};
+    else if (in.has("energy/work")) state.energy = load_energy(in);
     state.groups = load_groups(in, scene.groups.size());
     state.contacts.count = in.value<int>("contacts/count");
     state.contacts.needs = {state.contacts.spring.is_allocated(), state.contacts.adhering.is_allocated()};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/run_output.hpp"
 
+#include "apps/balance_columns.hpp"
 #include "apps/run_checkpoint.hpp"
 #include "apps/sample.hpp"
 #include "apps/stage_watch.hpp"
@@ -24,7 +25,7 @@ HistoryColumns columns_of(Scene const& scene)
     HistoryColumns columns;
     for (WallSettings const& wall : scene.walls) columns.walls.push_back(wall.name);
     columns.fluid = scene.fluid.has_value();
-    if (scene.output.energies) columns.extra = {"elastic_energy", "tangential_energy", "rotation_energy"};
+    if (scene.output.energies) columns.extra = balance_columns(columns.fluid);
     return columns;
 }
 
@@ -113,7 +114,7 @@ void RunOutput::write_history(RunState& state, Look const& look)
     row.produced_count = state.tally.produced_count;
     row.max_overlap_ratio = std::max(look.contacts.highest_overlap_ratio, look.wall_overlap_ratio);
     if (state.fluid) row.flow = state.fluid->report;
-    if (scene_.output.energies) row.extra = {look.contacts.elastic, look.contacts.tangential, look.grains.rotation};
+    if (look.energy) row.extra = balance_row(look, scene_.fluid.has_value(), state);
     history_.add(row);
     probes_.write(state, planned_->label);
 }

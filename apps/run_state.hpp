@@ -2,6 +2,7 @@
 // Everything that changes in a run. A checkpoint holds all of it (apps/run_checkpoint.hpp).
 #pragma once
 
+#include "apps/energy_account.hpp"
 #include "apps/grain_groups.hpp"
 #include "core/contact_list.hpp"
 #include "core/particles.hpp"
@@ -13,6 +14,7 @@
 #include "kernels/wall_contacts.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace arenite {
 
@@ -55,6 +57,7 @@ struct RunState {
     WallContacts wall_contacts;
     Integrator integrator;
     std::unique_ptr<FluidState> fluid;
+    std::optional<EnergyAccount> energy; // where the scene asks for a balance
     Tally tally, stage_tally;        // now, and when the stage began
     Real skin = 0;                   // m, adapts to how often the list goes stale
     std::int64_t last_search = 0;    // step

@@ -10,6 +10,57 @@ namespace {
 
 template <class Law> ContactNeeds needs_of(Law const&) { return {Law::has_history, Law::adheres}; }
 
+template <class Law> auto pair_terms(Law const& law, RunState& state, View1<std::uint8_t> const& adhered)
+{
+    Particles const& p = state.particles;
+    return PairPower<Law>{law.pairs, state.contacts, p.position, p.velocity, p.spin, p.material, adhered, state.box};
+}
+
+template <class Law> auto wall_terms(Law const& law, RunState& state, View1<std::uint8_t> const& adhered, Vec3 const& origin)
+{
+    Particles const& p = state.particles;
+    return WallPower<Law>{law.pairs, state.wall_contacts, state.walls.views, p.position, p.velocity, p.spin, p.material, adhered, state.box,
+                          origin};
+}
+
+template <class Law> Terms<3> pair_energies(Law const& law, RunState& state)
+{
+    Particles const& p = state.particles;
+    return reproducible_sums<3>(state.sums, "pair_energy", state.contacts.count,
+                                PairEnergy<Law>{{law.pairs, state.contacts, p.position, p.material, state.box}});
+}
+
+template <class Law> Terms<3> wall_energies(Law const& law, RunState& state)
+{
+    Particles const& p = state.particles;
+    return reproducible_sums<3>(state.sums, "wall_energy", state.wall_contacts.count,
+                                WallEnergy<Law>{law.pairs, state.wall_contacts, state.walls.views, p.position, p.velocity, p.material});
+}
+
+void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunState& state, StageForces& forces)
+{
+    forces.pair_power = [&state, law](View1<std::uint8_t> const& adhered) {
+        return std::visit(
+            [&](auto const& l) {
+                return contact_power(reproducible_sums<6>(state.sums, "pair_power", state.contacts.count, pair_terms(l, state, adhered)));
+            },
+            law);
+    };
+    forces.wall_power = [&state, wall_law](View1<std::uint8_t> const& adhered, Vec3 const& origin) {
+        return std::visit(
+            [&](auto const& l) {
+                return contact_power(
+                    reproducible_sums<6>(state.sums, "wall_power", state.wall_contacts.count, wall_terms(l, state, adhered, origin)));
+            },
+            wall_law);
+    };
+    forces.stored = [&state, law, wall_law] {
+        Terms<3> const pairs = std::visit([&](auto const& l) { return pair_energies(l, state); }, law);
+        Terms<3> const walls = std::visit([&](auto const& l) { return wall_energies(l, state); }, wall_law);
+        return StoredEnergy{pairs[0] + walls[0], pairs[1] + walls[1], pairs[2] + walls[2]};
+    };
+}
+
 } // namespace
 
 StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunState& state)
@@ -41,6 +92,7 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
             return [&state, l] { return report_contacts(l, state.particles, state.box, state.contacts, state.sums); };
         },
         law);
+    bind_balance(law, wall_law, state, forces);
     return forces;
 }
 

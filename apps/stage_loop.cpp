@@ -71,6 +71,25 @@ void advance_grains(StageSetup& setup, Cadence const& cadence, RunState& state)
     }
 }
 
+/// The same, and a balance is kept: kick and drift are apart, since forces and velocities of every step are looked at.
+void advance_grains_in_balance(StageSetup& setup, Cadence const& cadence, RunState& state)
+{
+    StepSettings const& step = setup.step;
+    for (;;) {
+        drift(state.integrator, step, state.particles, state.contacts);
+        ++state.clock.step;
+        ++state.clock.stage_step;
+        advance_walls(setup, state);
+        search_if_stale(setup, state);
+        note_contacts(setup, state);
+        setup.forces.evaluate(step.dt);
+        kick(state.integrator, step, state.particles, state.contacts, force_rows(state.wall_contacts));
+        add_step(setup, state);
+        drive_servos(setup, state);
+        if (cadence.stops_at(state.clock.stage_step)) return;
+    }
+}
+
 } // namespace
 
 std::string run_stage(Scene const& scene, PlannedStage const& planned, Until const& until, RunState& state,
@@ -79,6 +98,7 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
     bool const resumes = state.clock.stage_step > 0;
     StageSetup setup = resumes ? resume_stage(scene, planned, state) : begin_stage(scene, planned, state);
     if (planned.settings.kind == StageKind::generation) return "grains placed";
+    if (scene.output.energies && !(resumes && state.energy)) open_account(setup, state);
 
     Cadence const cadence = make_cadence(planned, output);
     StageWatch watch(scene, planned, until);
@@ -102,7 +122,8 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
             advance_fluid(*state.fluid, state.particles, cadence.fluid * planned.dt);
             if (first) warn_of_coupling(*state.fluid, state.particles, cadence.fluid * planned.dt, output);
         }
-        advance_grains(setup, cadence, state);
+        if (state.energy) advance_grains_in_balance(setup, cadence, state);
+        else advance_grains(setup, cadence, state);
         watch.check_health(setup, state);
     }
 }

@@ -173,6 +173,7 @@ bool remove_departed(StageSetup& setup, RunState& state, RunOutput& output)
 {
     Departures const departures = find_departures(state.particles, state.box, state.walls, setup.outlet);
     if (!departures.keep.is_allocated()) return false;
+    Real const energy_before = state.energy ? energy_now(setup, state) : 0;
     for (Grain const& grain : departures.produced) state.tally.produced_mass += output.write_produced(grain, state);
     state.tally.produced_count += static_cast<std::int64_t>(departures.produced.size());
     for (Grain const& grain : departures.lost)
@@ -180,6 +181,7 @@ bool remove_departed(StageSetup& setup, RunState& state, RunOutput& output)
                                                grain.position.x, grain.position.y, grain.position.z, state.clock.step));
     state.tally.lost_count += static_cast<std::int64_t>(departures.lost.size());
     search(setup, state, departures.keep);
+    if (state.energy) state.energy->removed += energy_before - energy_now(setup, state);
     return true;
 }
 

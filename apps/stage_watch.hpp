@@ -2,6 +2,7 @@
 // Looks at the state now and then: what to report, whether the stage is over, whether the run is sound.
 #pragma once
 
+#include "apps/energy_account.hpp"
 #include "apps/stage_setup.hpp"
 #include "core/wall_motion.hpp"
 
@@ -20,7 +21,7 @@ struct Look {
     std::vector<WallReaction> walls;   // [wall]
     std::optional<Real> porosity;      // of the sample
     Real wall_overlap_ratio = 0;
-    bool fresh = false;
+    std::optional<EnergySheet> energy; // where a balance is kept
     std::int64_t step = -1;
 };
 

@@ -31,7 +31,7 @@ struct MaterialSettings {
 enum class NormalLaw { hertz, jkr, modified_jkr };
 enum class BreakPoint { A, C, S };                    // overlap 0, delta_C, delta_S of the JKR curve
 enum class FrictionLimit { paper, thornton };         // mu |F_n|, or mu (F_n + 2 F_C) while adhering and mu F_n after
-enum class TangentialLaw { none, secant, rescaled, incremental };
+enum class TangentialLaw { none, secant, rescaled, incremental, dissipative };
 enum class DampingLaw { none, restitution, restitution_clipped }; // clipped: no attraction from damping (force >= 0 for Hertz)
 
 /// What happens between two materials in a stage.

@@ -138,8 +138,11 @@ void gather_step(Flow const& flow, FlowSolver const& solver, TableView const& va
         });
 }
 
-void write_fluid_force(Exchange const& exchange, RecordView const& fluid_force)
+/// pressure_force: the part that is not drag, or an empty view.
+void write_fluid_force(Exchange const& exchange, RecordView const& fluid_force, RecordView const& pressure_force)
 {
+    bool const apart = pressure_force.is_allocated();
+    if (apart) Kokkos::deep_copy(ExecutionSpace(), pressure_force, Real(0));
     GrainWeights const weights = exchange.weights;
     auto const value = exchange.cell_value, drag = exchange.drag, volume = exchange.volume;
     Kokkos::deep_copy(ExecutionSpace(), fluid_force, Real(0)); // grains outside the box
@@ -152,6 +155,8 @@ void write_fluid_force(Exchange const& exchange, RecordView const& fluid_force)
             for (int axis = 0; axis < 3; ++axis)
                 fluid_force(row, axis) = beta * fluid[axis] - drag(entry, axis) + volume(entry, 0) * fluid[3 + axis];
             fluid_force(row, 3) = beta;
+            if (!apart) return;
+            for (int axis = 0; axis < 3; ++axis) pressure_force(row, axis) = volume(entry, 0) * fluid[3 + axis];
         });
 }
 
@@ -227,8 +232,10 @@ void evaluate_fluid_force(Flow const& flow, FlowSolver const& solver, Exchange c
 {
     if (particles.fluid_force.extent(0) != particles.position.extent(0))
         particles.fluid_force = RecordView("fluid_force", particles.position.extent(0));
+    if (particles.pressure_force.is_allocated() && particles.pressure_force.extent(0) != particles.position.extent(0))
+        particles.pressure_force = RecordView("pressure_force", particles.position.extent(0));
     gather_step(flow, solver, exchange.cell_value);
-    write_fluid_force(exchange, particles.fluid_force);
+    write_fluid_force(exchange, particles.fluid_force, particles.pressure_force);
 }
 
 Real drag_stiffness(Exchange const& exchange, Particles const& particles, Real fluid_dt)

@@ -39,17 +39,31 @@ KOKKOS_FUNCTION inline Real hertz_energy(Real overlap, Real effective_radius, Re
     return Real(8) / 15 * effective_youngs_modulus * Kokkos::sqrt(effective_radius * overlap) * overlap * overlap;
 }
 
-/// pi gamma R* L (8/15 s^5 - 8/3 s^(7/2) + 2 s^2) between B and the overlap (integral of eqs 12, 13).
+/// Work of the JKR force from a = 0 to the root y, over pi gamma R* L: 8/15 s^5 - 8/3 s^(7/2) + 2 s^2, s = y^2
+/// (integral of eqs 12, 13).
+KOKKOS_FUNCTION inline Real jkr_work(Real y)
+{
+    Real const y4 = y * y * y * y;
+    return y4 * (Real(8) / 15 * y4 * y * y - Real(8) / 3 * y * y * y + 2);
+}
+
+KOKKOS_FUNCTION inline Real jkr_energy_unit(ContactScale<> const& scale, PairConstants const& pair)
+{
+    return std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius * pair.length_factor * scale.cube_root_of_radius;
+}
+
+/// J at the force-free point B, above the state without contact: negative.
+KOKKOS_FUNCTION inline Real jkr_energy_at_B(ContactScale<> const& scale, PairConstants const& pair)
+{
+    constexpr Real y_B = 1.4422495703074083; // s_B = 9^(1/3), y_B = 3^(1/3)
+    return jkr_energy_unit(scale, pair) * jkr_work(y_B);
+}
+
+/// J at the overlap, above B.
 KOKKOS_FUNCTION inline Real jkr_energy(Real overlap, ContactScale<> const& scale, PairConstants const& pair)
 {
-    Real const length = pair.length_factor * scale.cube_root_of_radius;
-    Real const y = jkr_root(overlap / length);
-    auto const integral = [](Real root) { // s = y^2
-        Real const y4 = root * root * root * root;
-        return y4 * (Real(8) / 15 * y4 * root * root - Real(8) / 3 * root * root * root + 2);
-    };
-    constexpr Real y_B = 1.4422495703074083; // s_B = 9^(1/3), y_B = 3^(1/3)
-    return std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius * length * (integral(y) - integral(y_B));
+    Real const y = jkr_root(overlap / (pair.length_factor * scale.cube_root_of_radius));
+    return jkr_energy_unit(scale, pair) * jkr_work(y) - jkr_energy_at_B(scale, pair);
 }
 
 template <class Law> struct ContactTerms {
@@ -64,15 +78,20 @@ template <class Law> struct ContactTerms {
         bool touching = false, adhering = false;
     };
 
+    KOKKOS_FUNCTION Real overlap(int c) const
+    {
+        int const i = list.first(c), j = list.second(c);
+        Vec3 offset = vector_of(position, i) - vector_of(position, j);
+        if (list.periodic) offset -= box.image_shift(list.image(c));
+        return position(i, 3) + position(j, 3) - norm(offset);
+    }
     KOKKOS_FUNCTION Values values(int c) const
     {
         Values v;
         v.touching = list.touching(c);
         if (!v.touching) return v;
         int const i = list.first(c), j = list.second(c);
-        Vec3 offset = vector_of(position, i) - vector_of(position, j);
-        if (list.periodic) offset -= box.image_shift(list.image(c));
-        Real const overlap = position(i, 3) + position(j, 3) - norm(offset);
+        Real const overlap = this->overlap(c);
         PairConstants const pair = pairs(material(i), material(j));
         ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
         Real radius = Kokkos::sqrt(scale.effective_radius * Kokkos::fmax(overlap, Real(0)));

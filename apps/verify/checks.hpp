@@ -23,6 +23,7 @@ std::vector<VerifyCase> check_coarse_grained_pair();
 
 // friction
 std::vector<VerifyCase> check_friction_cycle();
+std::vector<VerifyCase> check_shear_paths();
 std::vector<VerifyCase> check_rigid_turns();
 std::vector<VerifyCase> check_incline();
 std::vector<VerifyCase> check_sliding_to_rolling();

@@ -3,6 +3,7 @@
 #include "apps/verify/checks.hpp"
 #include "apps/verify/grain_system.hpp"
 #include "apps/verify/sphere_on_plane.hpp"
+#include "core/random.hpp"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,88 @@ std::vector<VerifyCase> check_friction_cycle()
                           cycle.force_error, 1e-12),
             compare({"sheared to and fro at constant F_n", "loop area [J]", source}, cycle.loop_area,
                     4 * limit * (amplitude - 1) * yield, 1e-12)};
+}
+
+namespace
+{
+
+/// A contact that sticks, pressed and sheared at will; work is what the tangential force took.
+struct ShearedContact {
+    PairConstants pair;
+    ContactScale<> scale = contact_scale(sand(), 0.115e-3, 0.115e-3);
+    ContactState<> state;
+    Vec3 place; // m, tangential displacement
+    Real work = 0; // J
+
+    explicit ShearedContact(TangentialLaw law)
+        : pair(make_pair(with(sand(), 1, 0.2), with(sand(), 1, 0.2),
+                         contact_settings(NormalLaw::hertz, DampingLaw::none, law)))
+    {
+        pair.friction = 1e9;
+    }
+    Vec3 force(Real overlap, Vec3 const& move)
+    {
+        Vec3 const all = DrySand{}({{0, 0, 1}, overlap, move, scale}, pair, state, 1);
+        return {all.x, all.y, 0};
+    }
+    void shear(Real overlap, Vec3 const& to)
+    {
+        Vec3 const move = to - place, before = force(overlap, {}), after = force(overlap, move);
+        work -= dot(Real(0.5) * (before + after), move);
+        place = to;
+    }
+    Real stiffness(Real overlap) const
+    {
+        return 8 * pair.effective_shear_modulus *
+               hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus).contact_radius;
+    }
+};
+
+/// Least work over closed paths in the plane of overlap and displacement, over the stiffest spring's energy at the
+/// largest displacement.
+Real least_closed_work(TangentialLaw law, int paths)
+{
+    constexpr Real deepest = 1e-7, farthest = 1e-10; // m
+    constexpr int corners = 12;
+    Real least = 0;
+    for (int path = 0; path < paths; ++path) {
+        ShearedContact contact(law);
+        auto const draw = [&](int corner, int which) { return random_uniform(7, path, 3 * corner + which); };
+        Real overlap = deepest;
+        for (int corner = 0; corner < corners; ++corner) {
+            overlap = deepest * (Real(0.01) + Real(0.99) * draw(corner, 0));
+            contact.shear(overlap, farthest * Vec3{2 * draw(corner, 1) - 1, 2 * draw(corner, 2) - 1, 0});
+        }
+        contact.shear(overlap, {}); // back where it began; opening then frees what the spring still holds
+        least = std::fmin(least, contact.work / (contact.stiffness(deepest) * farthest * farthest / 2));
+    }
+    return least;
+}
+
+/// Sheared at one overlap, back at another: work over that of the stiffer spring.
+Real cycle_work(TangentialLaw law, Real out, Real back)
+{
+    constexpr Real slip = 1e-12;
+    ShearedContact contact(law);
+    contact.shear(out, {slip, 0, 0});
+    contact.shear(back, {});
+    return contact.work / (contact.stiffness(std::fmax(out, back)) * slip * slip);
+}
+
+} // namespace
+
+std::vector<VerifyCase> check_shear_paths()
+{
+    constexpr Real light = 1e-8, heavy = 4e-8; // contact radii 1 : 2
+    std::string const source = "closed form: k xi^2 of linear springs", name = "sheared and pressed, sticking";
+    return {
+        compare({name, "dissipative: work of shear, press, back", source}, cycle_work(TangentialLaw::dissipative, light, heavy), 0.25, 1e-10),
+        compare({name, "dissipative: work of shear, release, back", source}, cycle_work(TangentialLaw::dissipative, heavy, light), 0.25, 1e-10),
+        compare_error({name, "dissipative: energy made on 1000 closed paths", "second law: none"},
+                      -least_closed_work(TangentialLaw::dissipative, 1000), 1e-12),
+        compare({name, "secant: work of shear, press, back", source}, cycle_work(TangentialLaw::secant, light, heavy), -0.25, 1e-10),
+        compare({name, "incremental: work of shear, release, back", source}, cycle_work(TangentialLaw::incremental, heavy, light), -0.25, 1e-10),
+    };
 }
 
 namespace

@@ -42,7 +42,7 @@ std::vector<VerifyGroup> const& verify_groups()
          {check_pair_constants, check_hertz_impacts, check_restitution, check_jkr_points, check_jkr_curve,
           check_work_of_peeling, check_pull, check_sticking, check_bonded_release, check_coarse_grained_pair}},
         {"friction",
-         {check_friction_cycle, check_rigid_turns, check_incline, check_sliding_to_rolling, check_gear_spin,
+         {check_friction_cycle, check_shear_paths, check_rigid_turns, check_incline, check_sliding_to_rolling, check_gear_spin,
           check_oblique_impacts, check_spinning_impacts}},
         {"integrator", {check_free_fall, check_pair_conservation, check_many_bodies, check_critical_step}},
         {"search", {check_pairs_found, check_periodic_crossing, check_independence}},

@@ -84,7 +84,7 @@ Fields contact_fields(ContactSettings& c)
                       "where an adhesive contact ends: A no overlap, C largest tension, S snap"}),
         {"friction_limit", choice(c.friction_limit, {"paper", "thornton"}), "",
          "paper: mu |F_n|; thornton: mu (F_n + 2 F_C) while the contact adheres, mu F_n afterwards"},
-        {"tangential", choice(c.tangential, {"none", "secant", "rescaled", "incremental"}), "",
+        {"tangential", choice(c.tangential, {"none", "secant", "rescaled", "incremental", "dissipative"}), "",
          "tangential spring; none: no friction"},
         {"damping", choice(c.damping, {"none", "restitution", "restitution_clipped"}), "",
          "clipped: damping never makes a contact attract"},

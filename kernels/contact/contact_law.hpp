@@ -27,6 +27,7 @@ template <class N = Real> struct ContactState {
 template <class Normal, class Tangential> struct ContactLaw {
     static constexpr bool adheres = Normal::adheres;
     static constexpr bool has_history = Tangential::has_history;
+    using NormalPart = Normal;
 
     PairTable pairs;
 

@@ -70,15 +70,17 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION Vector<N> step_spin(Vector<N> con
 }
 
 /// How the spring's stretch follows a changing contact radius (contact variants `secant`, `rescaled`,
-/// `incremental`). `rescaled` shrinks it on unloading (as LAMMPS' mindlin_rescale; Walton & Braun 1986),
-/// `incremental` adds dF = S_t dxi: both take energy from an impact to which the secant form F = S_t(a) xi gives
-/// some. None is free of it: sheared while light and back while pressed, `secant` and `rescaled` make energy, the
-/// other way round `incremental` does.
+/// `incremental`, `dissipative`). The spring holds U = 1/2 S_t(a) xi^2, and nothing but slip puts energy into it, so U
+/// must not grow with a. `secant` keeps xi (F = S_t xi, the paper's form): pressing a sheared contact makes energy.
+/// `rescaled` shrinks xi on unloading (as LAMMPS' mindlin_rescale; Walton & Braun 1986) and makes energy on loading
+/// like `secant`. `incremental` keeps F (dF = S_t dxi): unloading makes energy. `dissipative` keeps F while a grows,
+/// as a contact of growing area does (Mindlin & Deresiewicz 1953), and xi while it shrinks: U never grows.
 template <class N> KOKKOS_FORCEINLINE_FUNCTION N stretch_factor(TangentialLaw law, N const& previous_radius, N const& radius)
 {
     if (law == TangentialLaw::secant) return 1;
     auto const known = previous_radius > N(0) && radius > N(0);
     if (law == TangentialLaw::rescaled) return select(known, smaller(radius / previous_radius, N(1)), N(1));
+    if (law == TangentialLaw::dissipative) return select(known, smaller(previous_radius / radius, N(1)), N(1));
     return select(known, previous_radius / radius, N(1));
 }
 

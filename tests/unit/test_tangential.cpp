@@ -103,6 +103,8 @@ TEST(Tangential, WorkOfShearCycles)
     EXPECT_NEAR(cycle_work(TangentialLaw::incremental, true), -0.25, rounding); // makes energy, and keeps a force
     EXPECT_GT(cycle_work(TangentialLaw::rescaled, true), 0.25);
     EXPECT_NEAR(cycle_work(TangentialLaw::rescaled, false), -0.25, rounding); // rescales on unloading only
+    EXPECT_NEAR(cycle_work(TangentialLaw::dissipative, true), 0.25, rounding);  // as secant
+    EXPECT_NEAR(cycle_work(TangentialLaw::dissipative, false), 0.25, rounding); // as incremental
 }
 
 TEST(Tangential, DryPairsFeelTheSameUnderEveryLaw)
@@ -118,9 +120,9 @@ TEST(Tangential, DryPairsFeelTheSameUnderEveryLaw)
 
 TEST(Tangential, TheMenuPicksTheCheapestLaw)
 {
-    PairConstants smooth, rough, sticky, both;
-    rough.friction = both.friction = 0.2;
-    sticky.surface_energy = both.surface_energy = 30;
+    PairConstants smooth, rough, sticky;
+    rough.friction = 0.2;
+    sticky.surface_energy = 30;
     EXPECT_TRUE(std::holds_alternative<SmoothSand>(make_contact_law({smooth})));
     EXPECT_TRUE(std::holds_alternative<DrySand>(make_contact_law({rough, smooth, smooth, smooth})));
     EXPECT_TRUE(std::holds_alternative<SmoothCementedSand>(make_contact_law({sticky})));

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "apps/balance_columns.hpp"
+
+#include "apps/run_state.hpp"
+#include "apps/stage_watch.hpp"
+#include "fluid/flow_balance.hpp"
+
+namespace arenite {
+
+std::vector<std::string> balance_columns(bool fluid)
+{
+    std::vector<std::string> names{"rotation_energy",     "elastic_energy", "adhesive_energy",     "tangential_energy",  "work_walls",
+                                   "work_box",            "work_gravity",   "work_drag",           "work_pressure",      "work_applied",
+                                   "work_held",           "loss_damping",   "loss_tangential",     "loss_adhesion",      "loss_local_damping",
+                                   "energy_removed",      "energy_residual", "momentum_x",          "momentum_y",         "momentum_z"};
+    if (fluid)
+        for (char const* name : {"fluid_energy", "fluid_momentum_x", "fluid_momentum_y", "fluid_momentum_z", "fluid_volume"})
+            names.push_back(name);
+    return names;
+}
+
+std::vector<std::optional<Real>> balance_row(Look const& look, bool fluid_columns, RunState& state)
+{
+    EnergySheet const& e = *look.energy;
+    auto const work = [&](Work which) { return e.work[static_cast<int>(which)]; };
+    Vec3 const p = look.grains.momentum;
+    std::vector<std::optional<Real>> row{e.rotation,
+                                         e.stored.elastic,
+                                         e.stored.adhesive,
+                                         e.stored.tangential,
+                                         work(Work::walls),
+                                         work(Work::box),
+                                         work(Work::gravity),
+                                         work(Work::drag),
+                                         work(Work::pressure),
+                                         work(Work::applied),
+                                         work(Work::held),
+                                         e.loss_normal_damping,
+                                         e.loss_tangential,
+                                         e.loss_adhesion,
+                                         e.loss_local_damping,
+                                         e.removed,
+                                         e.residual,
+                                         p.x,
+                                         p.y,
+                                         p.z};
+    if (fluid_columns && !state.fluid) row.resize(row.size() + 5);
+    if (!state.fluid) return row;
+    FluidTotals const fluid = fluid_totals(state.fluid->flow, state.sums);
+    row.insert(row.end(), {fluid.kinetic_energy, fluid.momentum.x, fluid.momentum.y, fluid.momentum.z, fluid.volume});
+    return row;
+}
+
+} // namespace arenite

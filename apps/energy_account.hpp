@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The balance sheet of a stage: what its grains hold, and what was done to them since the stage began, by mechanism. Kept
+// step by step because friction and dashpots leave nothing behind to measure; a run that asks for no balance has none.
+//
+// With velocity Verlet the change of kinetic energy over a step is the trapezoidal sum of force times displacement, so
+// works are integrated by that rule: the residual of a smooth motion falls with dt^2.
+#pragma once
+
+#include "kernels/energy_terms.hpp"
+
+#include <array>
+
+namespace arenite {
+
+/// What is integrated over time, in the order of the arrays below.
+enum class Work : int {
+    walls,          // of moving walls on the grains
+    box,            // of the deforming box, or of the flow on which grains ride with a carrier
+    gravity,
+    drag,           // of the fluid, on the slip
+    pressure,       // of the fluid, -grad p + div tau on the grains' volume
+    applied,        // constant forces of groups
+    held,           // of whatever holds or moves grains of prescribed motion
+    normal_damping, // on the grains: the negative of what dashpots took
+    tangential,     // likewise, springs and dashpots in the contact plane
+    local_damping,  // likewise
+};
+inline constexpr int work_count = 10;
+
+struct EnergyAccount {
+    std::array<Real, work_count> power{}; // W, at the last step
+    std::array<Real, work_count> work{};  // J, since the stage began
+    Real adhesion = 0;                    // J by which stored energy jumped where contacts began or ceased to adhere
+    Real removed = 0;                     // J that grains took with them when they left
+    Real start = 0, start_tangential = 0; // J, total and of the tangential springs when the stage began
+
+    View1<std::uint8_t> pair_adhered, wall_adhered; // scratch: the flags before the step's evaluation
+
+    Real of(Work which) const { return work[static_cast<int>(which)]; }
+};
+
+struct StageSetup;
+struct RunState;
+
+/// The sheet of one moment, J.
+struct EnergySheet {
+    Real translation = 0, rotation = 0;
+    StoredEnergy stored;
+    std::array<Real, work_count> work{};
+    Real loss_normal_damping = 0, loss_tangential = 0, loss_local_damping = 0;
+    Real loss_adhesion = 0; // stored energy that vanished where contacts formed, snapped or broke; negative where it appeared
+    Real removed = 0;
+    Real residual = 0;      // change of all energies - works + losses + removed: 0 but for the error of integration
+
+    Real total() const { return translation + rotation + stored.total(); }
+};
+
+/// Opens the account of a stage whose first forces stand, or of a resumed one whose checkpoint held none.
+void open_account(StageSetup const& setup, RunState& state);
+
+/// Between the walls' move and the evaluation of the step's forces.
+void note_contacts(StageSetup const& setup, RunState& state);
+
+/// After the step's kick, before servos set the walls' next velocities.
+void add_step(StageSetup const& setup, RunState& state);
+
+EnergySheet energy_sheet(StageSetup const& setup, RunState& state);
+
+/// Kinetic and stored energy now, J: its change over a removal of grains is what they took along.
+Real energy_now(StageSetup const& setup, RunState& state);
+
+} // namespace arenite

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// The terms of the balance sheet: what contacts, walls and outer forces do to the grains at one moment, by mechanism, and
+// what contacts hold. Positions, velocities, forces and contact memory must be of one time (after a kick). Runs that
+// ask for no balance never call these; sums are in fixed order.
+#pragma once
+
+#include "core/reproducible_sum.hpp"
+#include "kernels/diagnostics.hpp"
+#include "kernels/wall_contacts.hpp"
+
+namespace arenite {
+
+/// Powers [W] and energies [J] of grain-grain or grain-wall contacts.
+struct ContactPower {
+    Real damping = 0;    // W, of the normal dashpots on the two bodies: negative where they slow
+    Real tangential = 0; // W, of springs and dashpots in the contact plane
+    Real box = 0;        // W that a deforming box puts in through the contacts
+    Real walls = 0;      // W of moving walls on the grains
+    Real on_grains = 0;  // W on velocities and spins of grains, all mechanisms
+    Real adhesion = 0;   // J by which stored energy jumped where contacts began or ceased to adhere in this step
+};
+
+struct StoredEnergy {
+    Real elastic = 0;    // J, of compressed and stretched contacts, 0 without contact
+    Real adhesive = 0;   // J, -2 gamma pi a^2 of the surfaces that stick
+    Real tangential = 0; // J, 1/2 S_t xi^2
+
+    Real total() const { return elastic + adhesive + tangential; }
+};
+
+/// Powers of forces that are not of contacts, W.
+struct GrainPower {
+    Real gravity = 0, applied = 0;
+    Real drag = 0, pressure = 0; // of the fluid: on the slip, and of -grad p + div tau
+    Real held = 0;               // of what holds or moves grains whatever the forces
+    Real box = 0;                // of a deforming box against the forces above
+    Real total = 0;              // of the grains' total force and torque
+    Real outer() const { return gravity + applied + drag + pressure; }
+};
+
+/// gravity [m/s2]; the box for its strain rate, which is about origin [m].
+GrainPower measure_grain_power(Particles const& particles, Vec3 const& gravity, PeriodicBox const& box, Vec3 const& origin,
+                               SumWorkspace& sums);
+
+/// Elastic and surface energy of a normal contact: they add up to the work of its force from the state without contact.
+KOKKOS_FUNCTION inline StoredEnergy stored_energy(Real overlap, bool adheres, ContactScale<> const& scale, PairConstants const& pair)
+{
+    StoredEnergy energy;
+    if (!adheres) {
+        if (overlap > 0) energy.elastic = hertz_energy(overlap, scale.effective_radius, pair.effective_youngs_modulus);
+        return energy;
+    }
+    Real const radius = jkr_response(overlap, scale, pair).contact_radius;
+    energy.adhesive = -2 * std::numbers::pi_v<Real> * pair.surface_energy * radius * radius;
+    energy.elastic = jkr_energy(overlap, scale, pair) + jkr_energy_at_B(scale, pair) - energy.adhesive;
+    return energy;
+}
+
+/// One contact as the sheet sees it: normal, force on the first body, power of the whole force.
+struct ContactMotion {
+    Vec3 normal, force, velocity; // velocity: of the first body's centre relative to the second's (or to the wall)
+    Real total = 0;               // W, with spins
+    Real overlap = 0;
+};
+
+/// The part of Law that is along the normal, without its dashpot.
+template <class Law>
+KOKKOS_FUNCTION void add_contact_power(ContactMotion const& contact, ContactScale<> const& scale, PairConstants const& pair,
+                                       bool adheres, Terms<6>& terms)
+{
+    bool state = adheres;
+    NormalResponse<> const response = typename Law::NormalPart{}(contact.overlap, scale, pair, state);
+    Real const along = dot(contact.force, contact.normal), approach = dot(contact.velocity, contact.normal);
+    terms[0] = (along - response.force) * approach;
+    terms[1] = contact.total - along * approach;
+}
+
+/// Jump of the stored energy where a contact began (now) or ceased (before) to adhere.
+KOKKOS_FUNCTION inline Real adhesion_jump(bool before, bool now, Real overlap, ContactScale<> const& scale, PairConstants const& pair)
+{
+    if (before == now) return 0;
+    Real const jump = stored_energy(overlap, true, scale, pair).total() - stored_energy(overlap, false, scale, pair).total();
+    return now ? jump : -jump;
+}
+
+template <class Law> struct PairPower {
+    PairTable pairs;
+    ContactList list;
+    RecordView position, velocity, spin;
+    View1<std::uint8_t> material, adhered; // adhered: the flags before the last evaluation, or empty
+    PeriodicBox box;
+
+    KOKKOS_FUNCTION Terms<6> operator()(int c) const
+    {
+        Terms<6> terms{};
+        bool const before = adhered.extent(0) > 0 && adhered(c);
+        bool now = false;
+        if constexpr (Law::adheres) now = list.adhering(c);
+        if (!list.touching(c) && !before) return terms;
+        int const i = list.first(c), j = list.second(c);
+        Vec3 offset = vector_of(position, i) - vector_of(position, j);
+        if (list.periodic) offset -= box.image_shift(list.image(c));
+        Real const distance = norm(offset);
+        PairConstants const& pair = pairs(material(i), material(j));
+        ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
+        ContactMotion contact;
+        contact.overlap = position(i, 3) + position(j, 3) - distance;
+        if constexpr (Law::adheres) terms[5] = adhesion_jump(before, now, contact.overlap, scale, pair);
+        if (!list.touching(c) || !(distance > 0)) return terms;
+        contact.normal = offset / distance;
+        contact.force = {list.force(c, 0), list.force(c, 1), list.force(c, 2)};
+        Vec3 const moment{list.force(c, 4), list.force(c, 5), list.force(c, 6)}; // n x F
+        Vec3 const approach = vector_of(velocity, i) - vector_of(velocity, j), stretch = box.stretch_velocity(offset);
+        contact.velocity = approach + stretch;
+        Real const turning = -dot(moment, list.force(c, 3) * vector_of(spin, i) + list.force(c, 7) * vector_of(spin, j));
+        contact.total = dot(contact.force, contact.velocity) + turning;
+        add_contact_power<Law>(contact, scale, pair, now, terms);
+        terms[2] = -dot(contact.force, stretch);
+        terms[4] = dot(contact.force, approach) + turning;
+        return terms;
+    }
+};
+
+template <class Law> struct WallPower {
+    PairTable pairs;
+    WallContactRows list;
+    WallViews walls;
+    RecordView position, velocity, spin;
+    View1<std::uint8_t> material, adhered;
+    PeriodicBox box;
+    Vec3 origin;
+
+    KOKKOS_FUNCTION Terms<6> operator()(int c) const
+    {
+        Terms<6> terms{};
+        if (!list.touching(c)) return terms; // a wall's contact that snaps counts through its stored energy
+        int const i = list.grain(c);
+        WallBody const& body = walls.body(walls.wall_of_element(list.element(c)));
+        PairConstants const& pair = pairs(material(i), body.material);
+        Real const radius = position(i, 3), arm = list.force(c, 3);
+        ContactScale<> const scale{radius, velocity(i, 3), Kokkos::cbrt(radius)};
+        ContactMotion contact;
+        contact.overlap = radius - arm;
+        contact.normal = vector_of(list.normal, c);
+        contact.force = {list.force(c, 0), list.force(c, 1), list.force(c, 2)};
+        Vec3 const moment{list.force(c, 4), list.force(c, 5), list.force(c, 6)}, x = vector_of(position, i);
+        Vec3 const stretch = box.stretch_velocity(x - origin), wall = body.pose.velocity_at(x - arm * contact.normal);
+        contact.velocity = vector_of(velocity, i) + stretch - wall;
+        Real const turning = -arm * dot(moment, vector_of(spin, i));
+        contact.total = dot(contact.force, contact.velocity) + turning;
+        bool now = false, before = false;
+        if constexpr (Law::adheres) now = list.adhering(c);
+        if constexpr (Law::adheres) before = adhered.extent(0) > 0 && adhered(c);
+        add_contact_power<Law>(contact, scale, pair, now, terms);
+        terms[2] = -dot(contact.force, stretch);
+        terms[3] = dot(contact.force, wall);
+        terms[4] = dot(contact.force, vector_of(velocity, i)) + turning;
+        if constexpr (Law::adheres) terms[5] = adhesion_jump(before, now, contact.overlap, scale, pair);
+        return terms;
+    }
+};
+
+template <class Law> struct PairEnergy {
+    ContactTerms<Law> contacts;
+
+    KOKKOS_FUNCTION Terms<3> operator()(int c) const
+    {
+        auto const v = contacts.values(c);
+        if (!v.touching) return {{0, 0, 0}};
+        ContactList const& list = contacts.list;
+        PairConstants const& pair = contacts.pairs(contacts.material(list.first(c)), contacts.material(list.second(c)));
+        ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
+        StoredEnergy const energy = stored_energy(contacts.overlap(c), v.adhering, scale, pair);
+        return {{energy.elastic, energy.adhesive, v.tangential}};
+    }
+};
+
+template <class Law> struct WallEnergy {
+    PairTable pairs;
+    WallContactRows list;
+    WallViews walls;
+    RecordView position, velocity;
+    View1<std::uint8_t> material;
+
+    KOKKOS_FUNCTION Terms<3> operator()(int c) const
+    {
+        if (!list.touching(c)) return {{0, 0, 0}};
+        int const i = list.grain(c);
+        PairConstants const& pair = pairs(material(i), walls.body(walls.wall_of_element(list.element(c))).material);
+        Real const radius = position(i, 3), overlap = radius - list.force(c, 3);
+        ContactScale<> const scale{radius, velocity(i, 3), Kokkos::cbrt(radius)};
+        bool adheres = false;
+        if constexpr (Law::adheres) adheres = list.adhering(c);
+        StoredEnergy const energy = stored_energy(overlap, adheres, scale, pair);
+        Real tangential = 0;
+        if constexpr (Law::has_history) {
+            Vec3 const spring = vector_of(list.spring, c);
+            tangential = 4 * pair.effective_shear_modulus * list.spring(c, 3) * dot(spring, spring);
+        }
+        return {{energy.elastic, energy.adhesive, tangential}};
+    }
+};
+
+inline ContactPower contact_power(Terms<6> const& sums) { return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5]}; }
+
+} // namespace arenite
