@@ -87,7 +87,7 @@ void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& st
 {
     if (!planned.settings.fluid || !scene.fluid) {
         state.fluid.reset();
-        state.particles.fluid_force = state.particles.pressure_force = RecordView();
+        state.particles.fluid_force = state.particles.coasting = state.particles.pressure_force = RecordView();
         return;
     }
     if (state.fluid) return; // it goes on from the stage before

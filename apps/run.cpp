@@ -113,7 +113,10 @@ int run_scene(RunOptions const& options)
         return 0;
     } catch (SimulationError const& error) {
         output.finish(error.what());
-        std::fputs(fmt::format("error: {}\nthe last checkpoint in {} is the last good state\n", error.what(), folder.string()).c_str(), stderr);
+        bool const saved = !list_checkpoints(folder).empty();
+        std::string const left = saved ? fmt::format("the last checkpoint in {} is the last good state", folder.string())
+                                       : "no checkpoint was due before";
+        std::fputs(fmt::format("error: {}\n{}\n", error.what(), left).c_str(), stderr);
         return 1;
     }
 }

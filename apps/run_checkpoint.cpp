@@ -49,6 +49,7 @@ template <class State, class Function> void for_each_array(State& state, Functio
     f("particles/size_class", state.particles.size_class);
     f("particles/applied_force", state.particles.applied_force);
     f("particles/fluid_force", state.particles.fluid_force);
+    f("particles/coasting", state.particles.coasting);
     f("particles/pressure_force", state.particles.pressure_force);
     f("contacts/row_begin", state.contacts.row_begin);
     f("contacts/second", state.contacts.second);
@@ -169,11 +170,12 @@ void save_fluid(CheckpointWriter& out, FluidState& fluid)
 
 void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage const& planned, RunState& state)
 {
-    RecordView const held_force = state.particles.fluid_force, pressure_force = state.particles.pressure_force;
+    Particles const held = state.particles; // forces held between fluid steps
     std::vector<Real> const b = in.array<Real>("fluid_box");
     prepare_fluid(scene, planned, state, Region{{b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)}});
-    if (held_force.is_allocated()) state.particles.fluid_force = held_force;
-    if (pressure_force.is_allocated()) state.particles.pressure_force = pressure_force;
+    if (held.fluid_force.is_allocated()) state.particles.fluid_force = held.fluid_force;
+    if (held.coasting.is_allocated()) state.particles.coasting = held.coasting;
+    if (held.pressure_force.is_allocated()) state.particles.pressure_force = held.pressure_force;
     FluidState& fluid = *state.fluid;
     for_each_state_field(fluid.flow, fluid.solver, [&](std::string const& name, auto& field) {
         if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Real>) field = in.value<Real>("fluid/" + name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/run_output.hpp"
 
-#include "apps/balance_columns.hpp"
+#include "apps/history_columns.hpp"
 #include "apps/run_checkpoint.hpp"
 #include "apps/sample.hpp"
 #include "apps/stage_watch.hpp"
@@ -25,7 +25,7 @@ HistoryColumns columns_of(Scene const& scene)
     HistoryColumns columns;
     for (WallSettings const& wall : scene.walls) columns.walls.push_back(wall.name);
     columns.fluid = scene.fluid.has_value();
-    if (scene.output.energies) columns.extra = balance_columns(columns.fluid);
+    columns.extra = extra_columns(scene);
     return columns;
 }
 
@@ -114,8 +114,12 @@ void RunOutput::write_history(RunState& state, Look const& look)
     row.produced_count = state.tally.produced_count;
     row.max_overlap_ratio = std::max(look.contacts.highest_overlap_ratio, look.wall_overlap_ratio);
     if (state.fluid) row.flow = state.fluid->report;
-    if (look.energy) row.extra = balance_row(look, scene_.fluid.has_value(), state);
+    row.extra = extra_values(scene_, look, state);
     history_.add(row);
+    constexpr Real hertz_limit = 0.1; // contact radius 0.3 of the grain's: beyond, the half-spaces of the contact laws are none
+    if (row.max_overlap_ratio > hertz_limit)
+        warn("overlap", fmt::format("step {}: an overlap of {:.3g} of the smaller radius is beyond what the contact laws hold for ({})",
+                                    state.clock.step, row.max_overlap_ratio, hertz_limit));
     probes_.write(state, planned_->label);
 }
 

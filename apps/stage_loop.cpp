@@ -31,17 +31,17 @@ void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
     bool const coupled = fluid.flow.has_drag(); // stays so when the last grain has left
     if (coupled) {
         deposit_porosity(fluid.flow, fluid.exchange, particles);
-        deposit_drag(fluid.flow, fluid.exchange, particles);
+        deposit_drag(fluid.flow, fluid.exchange, particles, fluid_dt);
     }
     fluid.report = advance_flow(fluid.flow, fluid.boundary, fluid.solver, fluid_dt);
     if (coupled) evaluate_fluid_force(fluid.flow, fluid.solver, fluid.exchange, particles);
 }
 
-/// What makes the coupling inaccurate or unstable, said once a stage.
-void warn_of_coupling(FluidState const& fluid, Particles const& particles, Real fluid_dt, RunOutput& output)
+/// What makes the coupling inaccurate, said once a stage.
+void warn_of_coupling(FluidState const& fluid, Particles const& particles, RunOutput& output)
 {
     if (!fluid.flow.has_drag() || particles.count == 0) return;
-    for (std::string const& message : check_exchange(fluid.exchange, particles, fluid_dt)) output.warn("coupling", message);
+    for (std::string const& message : check_exchange(fluid.exchange, particles)) output.warn("coupling", message);
 }
 
 void warn_of_fast_walls(StageSetup const& setup, RunState const& state, RunOutput& output)
@@ -120,7 +120,7 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
         }
         if (cadence.fluid > 0 && state.clock.stage_step % cadence.fluid == 0) {
             advance_fluid(*state.fluid, state.particles, cadence.fluid * planned.dt);
-            if (first) warn_of_coupling(*state.fluid, state.particles, cadence.fluid * planned.dt, output);
+            if (first) warn_of_coupling(*state.fluid, state.particles, output);
         }
         if (state.energy) advance_grains_in_balance(setup, cadence, state);
         else advance_grains(setup, cadence, state);

@@ -4,6 +4,7 @@
 #include "apps/sample.hpp"
 #include "apps/stage_loop.hpp"
 #include "core/error.hpp"
+#include "kernels/stress.hpp"
 #include "kernels/wall_reactions.hpp"
 
 #include <fmt/format.h>
@@ -77,6 +78,18 @@ Real StageWatch::stress_on(std::string const& name, Real area, StageSetup const&
     return wall_stress(state.walls, wall, look(setup, state).walls[wall], area, state.box);
 }
 
+bool StageWatch::box_holds_its_stress(StageSetup const& setup, RunState& state) const
+{
+    Vec3 const stress = mean_stress(state.particles, state.box, state.contacts, state.sums);
+    BoxSettings const& box = *setup.planned->settings.box;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!box.stress[axis]) continue;
+        Real const target = *box.stress[axis];
+        if (!(std::fabs(stress[axis] - target) <= *stage_.end.box_stress_tolerance * std::fabs(target))) return false;
+    }
+    return true;
+}
+
 bool StageWatch::conditions_hold(StageSetup const& setup, RunState& state)
 {
     EndSettings const& end = stage_.end;
@@ -89,12 +102,13 @@ bool StageWatch::conditions_hold(StageSetup const& setup, RunState& state)
         Real const now = state.walls.state[wall].position[end.position_axis];
         if ((now - end.position) * (start - end.position) > 0) return false;
     }
-    bool const needs_look = end.kinetic_energy || end.kinetic_energy_ratio || end.porosity || !end.stress_wall.empty();
+    bool const needs_look = end.box_stress_tolerance || end.kinetic_energy || end.kinetic_energy_ratio || end.porosity || !end.stress_wall.empty();
     if (!needs_look) return true;
     if (state.clock.stage_step == 0 || state.clock.stage_step % look_interval != 0) return false;
     Look const& now = look(setup, state);
     if (end.kinetic_energy && !(now.grains.kinetic_energy() < *end.kinetic_energy)) return false;
     if (end.kinetic_energy_ratio && !(now.grains.kinetic_energy() < *end.kinetic_energy_ratio * now.contacts.energy())) return false;
+    if (end.box_stress_tolerance && !box_holds_its_stress(setup, state)) return false;
     if (end.porosity && !(now.porosity.value_or(1) <= *end.porosity)) return false;
     if (!end.stress_wall.empty()) {
         Real const stress = stress_on(end.stress_wall, end.stress_area, setup, state);

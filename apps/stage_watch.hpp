@@ -44,6 +44,7 @@ public:
 
 private:
     bool conditions_hold(StageSetup const& setup, RunState& state);
+    bool box_holds_its_stress(StageSetup const& setup, RunState& state) const;
     void tune_friction(StageSetup& setup, RunState& state);
     Real stress_on(std::string const& wall, Real area, StageSetup const& setup, RunState& state);
 

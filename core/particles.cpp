@@ -63,6 +63,7 @@ template <class Operation> void for_each_view(Particles& particles, Operation co
     operation(particles.motion);
     operation(particles.applied_force);
     operation(particles.fluid_force);
+    operation(particles.coasting);
     operation(particles.pressure_force);
 }
 

@@ -34,6 +34,7 @@ struct Particles {
 
     RecordView applied_force;     // [grain](Fx, Fy, Fz, -), N: constant forces of the scene; empty if it names none
     RecordView fluid_force;       // [grain](Fx, Fy, Fz, -), N: held between fluid steps; empty without fluid
+    RecordView coasting;          // [grain](vx, vy, vz, 1 or 0 unknown), m/s: where drag alone took its velocity in the last fluid step
     RecordView pressure_force;    // [grain](Fx, Fy, Fz, -), N: the part of it that is not drag; empty unless a balance is kept
 
     int rows() const { return count + ghosts; }

@@ -233,10 +233,11 @@ struct EndSettings {
     int position_axis = 2;
     Real position = 0;                        // m, reached from where the wall started the stage
     bool wall_travel_done = false;            // every wall with a travel has made it
+    std::optional<Real> box_stress_tolerance; // every axis of the box that holds a stress has it, relative
     bool any() const
     {
         return kinetic_energy_ratio || kinetic_energy || !stress_wall.empty() || porosity || !position_wall.empty() ||
-               wall_travel_done;
+               wall_travel_done || box_stress_tolerance;
     }
     bool operator==(EndSettings const&) const = default;
 };

@@ -93,12 +93,19 @@ void gather_flow(Flow const& flow, TableView const& value)
         });
 }
 
+/// The drag that the coming step will hold, as beta' (u - v'): with f = beta (u - v_new) and the grain's own
+/// m (v_new - v) / dt = f + F, v_new is eliminated:
+///     beta' = beta / (1 + beta dt / m),   v' = v + dt F / m.
+/// So the held force never takes a grain past the fluid's velocity, however long the step. F, the mean of what else acted
+/// (contacts, weight), is read off the grain's motion in the step before: dt F / m = (v - v_before) - dt f / m. A grain that
+/// rests on others has F = -f and feels the whole beta (u - v).
 template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange, Particles const& particles)
 {
     GrainWeights const weights = exchange.weights;
     auto const value = exchange.cell_value, drag = exchange.drag;
-    auto const position = particles.position, velocity = particles.velocity;
-    Real const factor = exchange.coarse_grain_factor;
+    auto const position = particles.position, velocity = particles.velocity, coasting = particles.coasting;
+    auto const motion = particles.motion;
+    Real const factor = exchange.coarse_grain_factor, dt = exchange.time_step;
     Kokkos::parallel_for(
         "evaluate_drag", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
             int const row = weights.bins.item(entry);
@@ -106,8 +113,13 @@ template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange
             interpolate_at(weights, entry, value, fluid);
             Vec3 const v = vector_of(velocity, row);
             Real const slip_speed = norm(Vec3{fluid[0], fluid[1], fluid[2]} - v);
-            Real const beta = grain_drag_coefficient(law, {2 * position(row, 3), fluid[3], slip_speed}, factor);
-            for (int axis = 0; axis < 3; ++axis) drag(entry, axis) = beta * v[axis];
+            Real beta = grain_drag_coefficient(law, {2 * position(row, 3), fluid[3], slip_speed}, factor);
+            Vec3 predicted = v;
+            if (motion(row) == Motion::free) {
+                beta /= 1 + beta * dt / velocity(row, 3);
+                if (coasting(row, 3) > 0) predicted = 2 * v - vector_of(coasting, row);
+            }
+            for (int axis = 0; axis < 3; ++axis) drag(entry, axis) = beta * predicted[axis];
             drag(entry, 3) = beta;
         });
 }
@@ -139,22 +151,30 @@ void gather_step(Flow const& flow, FlowSolver const& solver, TableView const& va
 }
 
 /// pressure_force: the part that is not drag, or an empty view.
-void write_fluid_force(Exchange const& exchange, RecordView const& fluid_force, RecordView const& pressure_force)
+void write_fluid_force(Exchange const& exchange, Particles const& particles)
 {
+    RecordView const fluid_force = particles.fluid_force, pressure_force = particles.pressure_force, coasting = particles.coasting,
+                     velocity = particles.velocity;
+    Real const dt = exchange.time_step;
     bool const apart = pressure_force.is_allocated();
     if (apart) Kokkos::deep_copy(ExecutionSpace(), pressure_force, Real(0));
     GrainWeights const weights = exchange.weights;
     auto const value = exchange.cell_value, drag = exchange.drag, volume = exchange.volume;
     Kokkos::deep_copy(ExecutionSpace(), fluid_force, Real(0)); // grains outside the box
+    Kokkos::deep_copy(ExecutionSpace(), coasting, Real(0));
     Kokkos::parallel_for(
         "write_fluid_force", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
             int const row = weights.bins.item(entry);
             Real fluid[6];
             interpolate_at(weights, entry, value, fluid);
             Real const beta = drag(entry, 3);
-            for (int axis = 0; axis < 3; ++axis)
-                fluid_force(row, axis) = beta * fluid[axis] - drag(entry, axis) + volume(entry, 0) * fluid[3 + axis];
+            for (int axis = 0; axis < 3; ++axis) {
+                Real const force = beta * fluid[axis] - drag(entry, axis);
+                fluid_force(row, axis) = force + volume(entry, 0) * fluid[3 + axis];
+                coasting(row, axis) = velocity(row, axis) + dt / velocity(row, 3) * force;
+            }
             fluid_force(row, 3) = beta;
+            coasting(row, 3) = 1;
             if (!apart) return;
             for (int axis = 0; axis < 3; ++axis) pressure_force(row, axis) = volume(entry, 0) * fluid[3 + axis];
         });
@@ -187,6 +207,7 @@ Exchange make_exchange(Flow const& flow, Particles& particles, FluidSettings con
     ARENITE_REQUIRE(flow.has_drag(), "the flow was made without grains");
     if (!particles.fluid_force.is_allocated())
         particles.fluid_force = RecordView("fluid_force", particles.position.extent(0));
+    if (!particles.coasting.is_allocated()) particles.coasting = RecordView("coasting", particles.position.extent(0));
     return exchange;
 }
 
@@ -220,8 +241,9 @@ void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles
     exchange.report = report;
 }
 
-void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles)
+void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles, Real dt)
 {
+    exchange.time_step = dt;
     gather_flow(flow, exchange.cell_value);
     std::visit([&](auto const& law) { evaluate_drag(law, exchange, particles); }, exchange.drag_law);
     deposit(exchange.weights, exchange.drag, exchange.cell_sum, 4);
@@ -230,16 +252,19 @@ void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles)
 
 void evaluate_fluid_force(Flow const& flow, FlowSolver const& solver, Exchange const& exchange, Particles& particles)
 {
-    if (particles.fluid_force.extent(0) != particles.position.extent(0))
-        particles.fluid_force = RecordView("fluid_force", particles.position.extent(0));
-    if (particles.pressure_force.is_allocated() && particles.pressure_force.extent(0) != particles.position.extent(0))
-        particles.pressure_force = RecordView("pressure_force", particles.position.extent(0));
+    auto const fit_rows = [&](RecordView& view, std::string const& label) {
+        if (view.extent(0) != particles.position.extent(0)) view = RecordView(label, particles.position.extent(0));
+    };
+    fit_rows(particles.fluid_force, "fluid_force");
+    fit_rows(particles.coasting, "coasting");
+    if (particles.pressure_force.is_allocated()) fit_rows(particles.pressure_force, "pressure_force");
     gather_step(flow, solver, exchange.cell_value);
-    write_fluid_force(exchange, particles.fluid_force, particles.pressure_force);
+    write_fluid_force(exchange, particles);
 }
 
-Real drag_stiffness(Exchange const& exchange, Particles const& particles, Real fluid_dt)
+Real drag_stiffness(Exchange const& exchange, Particles const& particles)
 {
+    Real const dt = exchange.time_step;
     auto const row = exchange.weights.bins.item;
     auto const drag = exchange.drag;
     auto const velocity = particles.velocity;
@@ -248,14 +273,15 @@ Real drag_stiffness(Exchange const& exchange, Particles const& particles, Real f
     Kokkos::parallel_reduce(
         "drag_stiffness", RangePolicy(0, exchange.weights.entries),
         KOKKOS_LAMBDA(int entry, Real& most) {
-            if (motion(row(entry)) == Motion::free)
-                most = Kokkos::max(most, fluid_dt * drag(entry, 3) / velocity(row(entry), 3));
+            if (motion(row(entry)) != Motion::free) return;
+            Real const share = dt * drag(entry, 3) / velocity(row(entry), 3); // r / (1 + r), r = dt beta / m
+            most = Kokkos::max(most, share / (1 - share));
         },
         Kokkos::Max<Real>(stiffness));
     return std::max(stiffness, Real(0));
 }
 
-std::vector<std::string> check_exchange(Exchange const& exchange, Particles const& particles, Real fluid_dt)
+std::vector<std::string> check_exchange(Exchange const& exchange, Particles const& particles)
 {
     std::vector<std::string> remarks;
     Grid const& grid = exchange.stencil.grid;
@@ -272,12 +298,12 @@ std::vector<std::string> check_exchange(Exchange const& exchange, Particles cons
             fmt::format("cells and smoothing length of {:.3g} m average over {:.2f} diameters of the largest "
                         "grain; the averaged equations want 3",
                         edge, edge / diameter));
-    Real const stiffness = drag_stiffness(exchange, particles, fluid_dt);
+    Real const stiffness = drag_stiffness(exchange, particles);
     if (stiffness > Real(0.5))
         remarks.push_back(
-            fmt::format("the fluid step of {:.3g} s is {:.2f} relaxation times m/beta of a grain: a force held "
-                        "that long is inaccurate, and unstable from 2",
-                        fluid_dt, stiffness));
+            fmt::format("the fluid step of {:.3g} s is {:.2f} relaxation times m/beta of a grain: its drag is stable, but "
+                        "motion that is quicker than the step is not resolved",
+                        exchange.time_step, stiffness));
     ExchangeReport const& report = exchange.report;
     if (report.limited_cells > 0)
         remarks.push_back(fmt::format(

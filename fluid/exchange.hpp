@@ -2,16 +2,15 @@
 // What grains and fluid give each other in a fluid step (physics.md sections 2 and 3, model A):
 //
 //   deposit_porosity(flow, exchange, particles);     n and dn/dt of the grains where they are now
-//   deposit_drag(flow, exchange, particles);         B and b of drag = B u - b, beta at the old field
+//   deposit_drag(flow, exchange, particles, dt);     B and b of drag = B u - b, beta at the old field
 //   advance_flow(flow, boundary, solver, dt);        drag implicit in u
 //   evaluate_fluid_force(flow, solver, exchange, particles);   held by the grains until the next fluid step
 //
 // Rows of the particles must not be moved from the first of these calls to the last. The force on grain j is
-// beta_j (u - v_j) + V_j (-grad p + div tau) with u and the gradients interpolated by the weights of the
-// deposit: so what the grains get, the fluid and its boundary lose, to rounding.
-//
-// The force is held, v_j of the deposit in it. That is stable for fluid steps below 2 m/beta of the lightest
-// grain and accurate well below it (sand of 0.15 mm in a dense bed: 3e-4 s); check_exchange tells.
+// beta_j' (u - v_j') + V_j (-grad p + div tau) with u and the gradients interpolated by the weights of the
+// deposit: so what the grains get, the fluid and its boundary lose, to rounding. beta' and v' make the held force that
+// of the step's end (deposit_drag): stable for any fluid step, accurate for steps below m/beta of the lightest grain
+// (sand of 0.15 mm in a dense bed: 1.5e-4 s); check_exchange tells.
 #pragma once
 
 #include "fluid/coupled_set.hpp"
@@ -42,7 +41,8 @@ struct Exchange {
 
     GrainWeights weights; // of the grains where deposit_porosity saw them
     TableView volume;     // [entry][1] m3
-    TableView drag;       // [entry](beta vx, beta vy, beta vz, beta), N and N s/m
+    TableView drag;       // [entry](beta' v'x, beta' v'y, beta' v'z, beta'), N and N s/m; see deposit_drag
+    Real time_step = 0;   // s, of the drag
     TableView cell_sum;   // [cell][4] what deposit gives
     TableView cell_value; // [cell][6] what interpolate_at reads
     CoupledSet coupled;   // the grains of the last deposit; a checkpoint of a coupled run holds it
@@ -58,17 +58,19 @@ Exchange make_exchange(Flow const& flow, Particles& particles, FluidSettings con
 /// replaced by fluid at once, and dn/dt holds only motion.
 void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles);
 
-/// beta of every grain from the field as it is, and flow.drag, flow.drag_velocity from it.
-void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles);
+/// beta of every grain from the field as it is, and flow.drag, flow.drag_velocity from it, for a fluid step of dt [s].
+/// Implicit in the grain's velocity too: beta' = beta / (1 + beta dt / m) and v' = v + dt F / m, F being what else acts on the
+/// grain, so that a step of any length is stable and a grain at rest on others feels beta u.
+void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles, Real dt);
 
 /// particles.fluid_force from the field as it is now; 0 for grains outside the box. Its fourth component is beta.
 void evaluate_fluid_force(Flow const& flow, FlowSolver const& solver, Exchange const& exchange, Particles& particles);
 
-/// max of fluid_dt beta / m over the grains, from the last deposit_drag: stable below 2.
-Real drag_stiffness(Exchange const& exchange, Particles const& particles, Real fluid_dt);
+/// max of dt beta / m over the free grains, from the last deposit_drag.
+Real drag_stiffness(Exchange const& exchange, Particles const& particles);
 
-/// Sentences on what makes the coupling inaccurate or unstable, with values; empty if all is well. After
+/// Sentences on what makes the coupling inaccurate, with values; empty if all is well. After
 /// deposit_drag.
-std::vector<std::string> check_exchange(Exchange const& exchange, Particles const& particles, Real fluid_dt);
+std::vector<std::string> check_exchange(Exchange const& exchange, Particles const& particles);
 
 } // namespace arenite

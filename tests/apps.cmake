@@ -14,3 +14,10 @@ arenite_test(verify_balance verification verification/verify_balance.cpp LINK ar
 target_compile_definitions(verify_balance PRIVATE ARENITE_TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/scenes"
   ARENITE_SCENES="${PROJECT_SOURCE_DIR}/scenes")
 set_tests_properties(verify_balance PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+
+# Hard cases (validation catalogue H1-H20).
+foreach(cases hard_grains hard_coupling)
+  arenite_test(${cases} stability stability/${cases}.cpp LINK arenite_driver)
+  target_include_directories(${cases} PRIVATE ${PROJECT_SOURCE_DIR})
+  set_tests_properties(${cases} PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+endforeach()

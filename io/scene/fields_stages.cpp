@@ -55,6 +55,8 @@ Fields end_fields(EndSettings& e)
         only_when(position, "position_wall", {"position_axis", axis_choice(e.position_axis), "", "along this axis"}),
         required(only_when(position, "position_wall", {"position", &e.position, "m", "is reached by that wall"})),
         {"wall_travel_done", &e.wall_travel_done, "", "every wall with a travel has made it"},
+        {"box_stress_tolerance", &e.box_stress_tolerance, "",
+         "every axis of the box that holds a stress has it, to this relative tolerance", between_open(0, 1)},
     };
 }
 

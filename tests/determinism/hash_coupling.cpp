@@ -74,7 +74,7 @@ TEST(CouplingHash, Print)
     Exchange exchange = make_exchange(flow, particles, fluid, 1);
     for (int step = 0; step < 3; ++step) {
         deposit_porosity(flow, exchange, particles);
-        deposit_drag(flow, exchange, particles);
+        deposit_drag(flow, exchange, particles, 1e-5);
         advance_flow(flow, boundary, solver, 1e-5);
         evaluate_fluid_force(flow, solver, exchange, particles);
     }

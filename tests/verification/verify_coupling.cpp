@@ -38,7 +38,7 @@ struct Coupled {
     void step(Real dt)
     {
         deposit_porosity(flow, exchange, particles);
-        deposit_drag(flow, exchange, particles);
+        deposit_drag(flow, exchange, particles, dt);
         EXPECT_TRUE(advance_flow(flow, boundary, solver, dt).converged);
         evaluate_fluid_force(flow, solver, exchange, particles);
     }
@@ -176,7 +176,7 @@ Fall settle(Real diameter, Real cell, DragLaw law, Real terminal, Real factor = 
         if (fall.time_63 == 0 && after >= mark) fall.time_63 = (n + (mark - before) / (after - before)) * dt;
     }
     deposit_porosity(run.flow, run.exchange, run.particles);
-    deposit_drag(run.flow, run.exchange, run.particles);
+    deposit_drag(run.flow, run.exchange, run.particles, dt);
     std::array<Real, 4> const at_grain = fluid_at_grain(run.exchange);
     fall.speed = -velocity(0, 2);
     fall.slip = at_grain[2] + fall.speed;

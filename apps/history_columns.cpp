@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "apps/balance_columns.hpp"
+#include "apps/history_columns.hpp"
 
 #include "apps/run_state.hpp"
 #include "apps/stage_watch.hpp"
 #include "fluid/flow_balance.hpp"
+#include "kernels/stress.hpp"
+
+#include <algorithm>
 
 namespace arenite {
+namespace {
+
+bool box_deforms(Scene const& scene)
+{
+    return std::any_of(scene.stages.begin(), scene.stages.end(), [](StageSettings const& stage) { return stage.box.has_value(); });
+}
 
 std::vector<std::string> balance_columns(bool fluid)
 {
@@ -49,6 +58,31 @@ std::vector<std::optional<Real>> balance_row(Look const& look, bool fluid_column
     FluidTotals const fluid = fluid_totals(state.fluid->flow, state.sums);
     row.insert(row.end(), {fluid.kinetic_energy, fluid.momentum.x, fluid.momentum.y, fluid.momentum.z, fluid.volume});
     return row;
+}
+
+} // namespace
+
+std::vector<std::string> extra_columns(Scene const& scene)
+{
+    std::vector<std::string> names;
+    if (box_deforms(scene)) names = {"box_x", "box_y", "box_z", "stress_x", "stress_y", "stress_z"};
+    if (!scene.output.energies) return names;
+    std::vector<std::string> const balance = balance_columns(scene.fluid.has_value());
+    names.insert(names.end(), balance.begin(), balance.end());
+    return names;
+}
+
+std::vector<std::optional<Real>> extra_values(Scene const& scene, Look const& look, RunState& state)
+{
+    std::vector<std::optional<Real>> values;
+    if (box_deforms(scene)) {
+        Vec3 const size = state.box.size(), stress = mean_stress(state.particles, state.box, state.contacts, state.sums);
+        values = {size.x, size.y, size.z, stress.x, stress.y, stress.z};
+    }
+    if (!look.energy) return values;
+    std::vector<std::optional<Real>> const balance = balance_row(look, scene.fluid.has_value(), state);
+    values.insert(values.end(), balance.begin(), balance.end());
+    return values;
 }
 
 } // namespace arenite
