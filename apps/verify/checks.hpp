@@ -19,7 +19,6 @@ std::vector<VerifyCase> check_work_of_peeling();
 std::vector<VerifyCase> check_pull();
 std::vector<VerifyCase> check_sticking();
 std::vector<VerifyCase> check_bonded_release();
-std::vector<VerifyCase> check_coarse_grained_pair();
 
 // friction
 std::vector<VerifyCase> check_friction_cycle();
