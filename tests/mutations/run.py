@@ -68,6 +68,7 @@ MUTATIONS = [
      "coarse_graining"),
 ]
 
+BUILD = "build/dev"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -84,13 +85,15 @@ def copy_tree(folder):
 
 
 def build(folder):
-    return subprocess.run(["cmake", "--build", folder / "build", "--target", "arenite"], capture_output=True, text=True)
+    return subprocess.run(["cmake", "--build", folder / BUILD, "--target", "arenite"], capture_output=True, text=True)
 
 
 def first_failing_row(folder, groups):
     """(group, row) that fails first; a crash counts as noticed."""
+    environment = dict(os.environ, OMP_NUM_THREADS="1")
     for group in groups.split():
-        result = subprocess.run([folder / "build/apps/arenite", "verify", group, "--json"], capture_output=True, text=True)
+        result = subprocess.run([folder / BUILD / "apps/arenite", "verify", group, "--json"], capture_output=True, text=True,
+                                env=environment)
         try:
             rows = json.loads(result.stdout)
         except ValueError:
@@ -129,7 +132,7 @@ def main():
     arguments = parser.parse_args()
     folder = (arguments.folder or pathlib.Path(tempfile.mkdtemp(prefix="arenite-mutations-"))).resolve()
     copy_tree(folder)
-    subprocess.run(["cmake", "-S", folder, "-B", folder / "build", "-DCMAKE_BUILD_TYPE=Release", "-DARENITE_ENABLE_TESTS=OFF",
+    subprocess.run(["cmake", "-S", folder, "-B", folder / BUILD, "-DCMAKE_BUILD_TYPE=Release", "-DARENITE_ENABLE_TESTS=OFF",
                     *arguments.cmake], check=True, stdout=subprocess.DEVNULL)
     if build(folder).returncode != 0:
         sys.exit("the tree does not build as it is")
