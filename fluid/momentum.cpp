@@ -83,7 +83,7 @@ KOKKOS_INLINE_FUNCTION Real right_hand_side(MomentumSystem const& s, RowFields c
         force += flow.viscosity / 3 * mixed_derivative_at_face(flow.grid, fields.extrapolated, component, face);
     else // the drag acts on what moves through the open share, not on the prescribed flux beside it
         force += drag_at_face(flow, component, face) * prescribed_flux(s, component, face) / (n * n * open);
-    return face_weight(flow.grid, s.boundary, component, face) * force;
+    return row_weight(s, component, face) * force;
 }
 
 /// Residual of the rows at the present velocity, the inverse diagonal and the history.
@@ -102,7 +102,7 @@ void build_velocity_system(MomentumSystem const& system, FlowSolver const& solve
             FieldView const& u = s.flow.velocity[component];
             Real const own = momentum_diagonal(s, component, face);
             Real const n = mean_at_face(s.flow.porosity, component, face);
-            Real const scaled = face_weight(grid, s.boundary, component, face) * inertia_and_drag(s, component, face) /
+            Real const scaled = row_weight(s, component, face) * inertia_and_drag(s, component, face) /
                                 (n * open_share(grid, s.boundary, component, face));
             at(diagonal.component[component], face) = 1 / own;
             at(residual.component[component], face) = right_hand_side(s, fields, component, face) -
@@ -120,7 +120,7 @@ void apply_velocity_system(MomentumSystem const& system, View1<Real> const& vect
         "apply_velocity_system", grid, KOKKOS_LAMBDA(int component, Node const& face) {
             if (!(face_weight(grid, s.boundary, component, face) > 0)) return;
             Real const n = mean_at_face(s.flow.porosity, component, face);
-            Real const scaled = face_weight(grid, s.boundary, component, face) * inertia_and_drag(s, component, face) /
+            Real const scaled = row_weight(s, component, face) * inertia_and_drag(s, component, face) /
                                 (n * open_share(grid, s.boundary, component, face));
             at(result.component[component], face) = scaled * at(u.component[component], face) -
                                                     diffusion_at_face(s, u.component[component], component, face, 0);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The implicit momentum equation, one row for each face whose velocity is free, divided by the face's
-// porosity n and multiplied by its control volume in cells W (1, or 1/2 at an open boundary face):
+// porosity n and multiplied by a weight W (row_weight: the control volume in cells, 1 or 1/2 at an open boundary
+// face, times 3/4 for each wall beside it):
 //
 //   W (rho a + B/n) / open * u - W mu (4/3 d2u/dx_d2 + sum of d2u/dx_e2) = right-hand side
 //
-// with a = TimeDerivative::now, d the component's own axis, e the other two. Divided by n the matrix is
+// with a = TimeDerivative::now, d the component's own axis, e the other two. The slope at a wall is that of the
+// parabola through the wall and the two nodes next to it (wall_scale). Divided by n the matrix is
 // symmetric whatever the porosity; the components couple only through the right-hand side. `open` is the
 // share of a boundary face that a pressure patch covers: the fluid moves through that share only, and u is
 // the mean over the face.
@@ -66,6 +68,44 @@ KOKKOS_INLINE_FUNCTION Real pressure_gradient_at_face(MomentumSystem const& s, i
     return side * (boundary_face(s.boundary, component, side, face).pressure - at(s.flow.pressure, cell)) / (h / 2);
 }
 
+/// Whether the row lies next to one of two ends of `axis`, a transverse one.
+KOKKOS_FORCEINLINE_FUNCTION bool beside_end(Grid const& grid, int axis, Node const& face)
+{
+    int const index = face[axis] - Grid::halo, last = grid.cells[axis] - 1;
+    return (index == 0 || index == last) && !grid.periodic[axis] && last > 0;
+}
+
+/// Weight of a row beside an end of a transverse axis: 3/4 where the wall there holds the fluid, 1 where it is free.
+/// The parabola's slope over h, stick (9 u1 - u2 - 8 u_wall)/3, gives u2 the coefficient 1 + stick/3; the weight
+/// makes that 1 again, which is what u2's row has for u1.
+KOKKOS_FORCEINLINE_FUNCTION Real wall_scale(MomentumSystem const& s, int component, int axis, Node const& face)
+{
+    if (!beside_end(s.flow.grid, axis, face)) return 1;
+    int const side = face[axis] == Grid::halo ? -1 : 1;
+    return 1 / (1 + edge_condition(s.flow.grid, s.boundary, axis, side, component, face, 1).stick / 3);
+}
+
+/// Weight of a row, W: its control volume in cells times wall_scale of both transverse axes.
+KOKKOS_FORCEINLINE_FUNCTION Real row_weight(MomentumSystem const& s, int component, Node const& face)
+{
+    return face_weight(s.flow.grid, s.boundary, component, face) *
+           wall_scale(s, component, first_transverse(component), face) *
+           wall_scale(s, component, second_transverse(component), face);
+}
+
+/// wall_scale of the axes other than `axis`, mean of the rows at both ends of a link along it: symmetric also where
+/// a wall's hold changes along the link.
+KOKKOS_FORCEINLINE_FUNCTION Real link_scale(MomentumSystem const& s, int component, int axis, Node const& from,
+                                            Node const& to)
+{
+    Real scale = 1;
+    for (int other = 0; other < 3; ++other) {
+        if (other == axis || other == component || !beside_end(s.flow.grid, other, from)) continue; // `to`: the same layer
+        scale *= Real(0.5) * (wall_scale(s, component, other, from) + wall_scale(s, component, other, to));
+    }
+    return scale;
+}
+
 /// What viscosity does along one axis, as coefficients of the two neighbours and of the row itself.
 struct ViscousLink {
     Real coefficient[2] = {0, 0}; // of (neighbour - u), lower and upper, Pa s/m2
@@ -82,20 +122,26 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
     if (axis == component) { // through the centres of the two cells; none beyond a boundary: free of stress
         int const side = boundary_side(grid, component, face);
         for (int upper = 0; upper < 2; ++upper)
-            if (side != (upper ? 1 : -1)) link.coefficient[upper] = Real(4) / 3 * per_square;
+            if (side != (upper ? 1 : -1))
+                link.coefficient[upper] = Real(4) / 3 * per_square *
+                                          link_scale(s, component, axis, face, neighbour(grid, face, axis, upper ? 1 : -1));
         return link;
     }
     Real const weight = face_weight(grid, s.boundary, component, face);
     for (int upper = 0; upper < 2; ++upper) {
         bool const at_boundary = !grid.periodic[axis] && index == (upper ? grid.cells[axis] - 1 : 0);
         if (!at_boundary) {
-            link.coefficient[upper] = weight * per_square;
+            link.coefficient[upper] =
+                weight * per_square * link_scale(s, component, axis, face, neighbour(grid, face, axis, upper ? 1 : -1));
             continue;
         }
         Real const n = mean_at_face(s.flow.porosity, component, face);
         EdgeCondition const edge = edge_condition(grid, s.boundary, axis, upper ? 1 : -1, component, face, n);
-        link.wall[upper] = weight * 2 * per_square * edge.stick;
-        link.wall_source[upper] = weight * 2 * per_square * edge.stick_velocity;
+        // A single cell between two walls has no second node: the straight slope over half a cell.
+        Real const slope = grid.cells[axis] == 1 ? Real(2) : Real(8) / 3 * wall_scale(s, component, axis, face);
+        Real const other = link_scale(s, component, axis, face, face);
+        link.wall[upper] = weight * slope * other * per_square * edge.stick;
+        link.wall_source[upper] = weight * slope * other * per_square * edge.stick_velocity;
     }
     return link;
 }
@@ -121,7 +167,7 @@ KOKKOS_FORCEINLINE_FUNCTION Real diffusion_at_face(MomentumSystem const& s, Fiel
 KOKKOS_INLINE_FUNCTION Real momentum_diagonal(MomentumSystem const& s, int component, Node const& face)
 {
     Real const n = mean_at_face(s.flow.porosity, component, face);
-    Real sum = face_weight(s.flow.grid, s.boundary, component, face) * inertia_and_drag(s, component, face) /
+    Real sum = row_weight(s, component, face) * inertia_and_drag(s, component, face) /
                (n * open_share(s.flow.grid, s.boundary, component, face));
     for (int axis = 0; axis < 3; ++axis) {
         bool const self = s.flow.grid.periodic[axis] && s.flow.grid.cells[axis] == 1;

@@ -7,9 +7,17 @@ arenite_test(test_contact_forces unit unit/test_contact_forces.cpp LINK arenite_
 arenite_test(test_contact_search unit unit/test_contact_search.cpp LINK arenite_verify)
 arenite_test(test_integrate unit unit/test_integrate.cpp LINK arenite_verify)
 arenite_test(test_verify unit unit/test_verify.cpp LINK arenite_verify)
-arenite_test(verify_grains verification verification/verify_grains.cpp LINK arenite_verify)
 set_tests_properties(test_jkr test_material test_tangential test_contact_forces test_contact_search test_integrate
-  test_verify verify_grains PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+  test_verify PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+
+# What `arenite verify` runs, a ctest a group.
+add_executable(verify_groups verification/verify_groups.cpp)
+target_link_libraries(verify_groups PRIVATE arenite_test_main arenite_verify)
+foreach(group Contact Friction Integrator Search Fluid Coupling CoarseGraining)
+  add_test(NAME verify_${group} COMMAND verify_groups --gtest_filter=Verify.${group})
+  set_tests_properties(verify_${group} PROPERTIES LABELS verification TIMEOUT 600
+    ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+endforeach()
 
 add_executable(hash_pack determinism/hash_pack.cpp)
 target_link_libraries(hash_pack PRIVATE arenite_verify)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // JKR contacts: the curve, its works, and the life of an adhering contact.
 #include "apps/verify/checks.hpp"
+#include "apps/verify/coarse_checks.hpp"
 #include "apps/verify/jkr_reference.hpp"
 #include "apps/verify/sphere_on_plane.hpp"
 #include "core/random.hpp"
@@ -16,6 +17,7 @@ namespace
 
 constexpr Real sand_radius = 0.115e-3; // m
 
+/// Coarse-grained sand has k times the surface energy.
 PairConstants sand_pair(NormalLaw law, Real factor = 1)
 {
     MaterialSettings material = sand();
@@ -169,16 +171,16 @@ namespace
 {
 
 /// Relative speed after two equal grains met (full JKR) or opened from A (modified JKR); 0 if they hold.
-Real speed_after(NormalLaw law, Real speed, Real step_over_period)
+Real speed_after(NormalLaw law, Real speed, Real step_over_period, Real factor = 1)
 {
-    SphereOnPlane pair = make_collinear_pair(sand_pair(law), sand(), sand_radius);
+    SphereOnPlane pair = make_collinear_pair(sand_pair(law, factor), sand(), factor * sand_radius);
     bool const meets = law == NormalLaw::jkr;
     pair.velocity = {0, 0, meets ? -speed : speed};
     pair.state.adhering = 1;
     constexpr Real period = 1.978980066e-6; // s, of small oscillations about B
     evaluate_force(pair, 0);
     for (int n = 0; n < static_cast<int>(20 / step_over_period); ++n) {
-        step(pair, period * step_over_period);
+        step(pair, factor * period * step_over_period);
         if (!pair.state.touching) return pair.velocity.z;
     }
     return 0;
@@ -237,8 +239,24 @@ std::vector<VerifyCase> check_coarse_grained_pair()
         work_error = std::fmax(work_error, std::fabs(peel_work(coarse, scale, 0) / (k * k * k * fine_work) - 1));
     }
     std::string const source = "paper section 2.3: F ~ k^2, overlap ~ k, work ~ k^3";
-    return {compare_error({"grains of k = 2, 3, 4", "|F(k) / k^2 - F(1)| / F_C", source}, force_error, 1e-12),
-            compare_error({"grains of k = 2, 3, 4", "|W(k) / k^3 W(1) - 1|", source}, work_error, 1e-12)};
+    return {compare_error({"G1 grains of k = 2, 3, 4", "|F(k) / k^2 - F(1)| / F_C", source}, force_error, 1e-12),
+            compare_error({"G1 grains of k = 2, 3, 4", "|W(k) / k^3 W(1) - 1|", source}, work_error, 1e-12)};
+}
+
+std::vector<VerifyCase> check_coarse_speeds()
+{
+    // The speeds at which grains stick and bonds hold are those of the originals: what is left is too.
+    std::vector<VerifyCase> rows;
+    for (Real const k : {2.0, 4.0}) {
+        std::string const name = fmt::format("G1 pair of k = {}", k), source = "the same at k = 1: V_s = 0.84, V_hold = 0.59 m/s";
+        for (auto const& [law, speed, quantity] : {std::tuple{NormalLaw::jkr, 1.01 * stick_speed, "rebound speed at 1.01 V_s [m/s]"},
+                                                   {NormalLaw::jkr, 2 * stick_speed, "rebound speed at 2 V_s [m/s]"},
+                                                   {NormalLaw::modified_jkr, 1.2 * 0.5904034181, "speed of a bond opened at 1.2 V_hold [m/s]"}})
+            rows.push_back(compare({name, quantity, source}, speed_after(law, speed, 1e-3, k), speed_after(law, speed, 1e-3), 1e-10));
+        rows.push_back(compare_error({name, "sticks: rebound speed at 0.99 V_s [m/s]", source},
+                                     speed_after(NormalLaw::jkr, 0.99 * stick_speed, 1e-3, k), 0));
+    }
+    return rows;
 }
 
 } // namespace arenite

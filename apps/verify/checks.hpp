@@ -11,6 +11,8 @@ namespace arenite
 std::vector<VerifyCase> check_pair_constants();
 std::vector<VerifyCase> check_hertz_impacts();
 std::vector<VerifyCase> check_restitution();
+std::vector<VerifyCase> check_bouncing();
+std::vector<VerifyCase> check_exact_touch();
 
 // contact: adhesion
 std::vector<VerifyCase> check_jkr_points();
@@ -19,10 +21,10 @@ std::vector<VerifyCase> check_work_of_peeling();
 std::vector<VerifyCase> check_pull();
 std::vector<VerifyCase> check_sticking();
 std::vector<VerifyCase> check_bonded_release();
-std::vector<VerifyCase> check_coarse_grained_pair();
 
 // friction
 std::vector<VerifyCase> check_friction_cycle();
+std::vector<VerifyCase> check_partial_slip();
 std::vector<VerifyCase> check_shear_paths();
 std::vector<VerifyCase> check_rigid_turns();
 std::vector<VerifyCase> check_incline();
@@ -35,6 +37,7 @@ std::vector<VerifyCase> check_spinning_impacts();
 std::vector<VerifyCase> check_free_fall();
 std::vector<VerifyCase> check_pair_conservation();
 std::vector<VerifyCase> check_many_bodies();
+std::vector<VerifyCase> check_squeezed_pair();
 std::vector<VerifyCase> check_critical_step();
 
 // search

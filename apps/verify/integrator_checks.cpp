@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The time step: free fall, conservation, order, and the largest stable step.
 #include "apps/verify/checks.hpp"
+#include "apps/verify/lattice.hpp"
 #include "apps/verify/packs.hpp"
 #include "core/random.hpp"
-#include "kernels/contact/hertz.hpp"
-#include "kernels/contact/jkr.hpp"
 
 #include <fmt/format.h>
 
@@ -152,64 +151,24 @@ std::vector<VerifyCase> check_many_bodies()
 namespace
 {
 
-/// Overlap at which a contact carries the force, by bisection.
-Real overlap_under(Real force, PairConstants const& pair, ContactScale<> const& scale)
-{
-    Real low = 0, high = 0.1 * scale.effective_radius;
-    for (int n = 0; n < 100; ++n) {
-        Real const middle = (low + high) / 2;
-        Real const found = pair.surface_energy > 0
-                               ? jkr_response(middle, scale, pair).force
-                               : hertz_response(middle, scale.effective_radius, pair.effective_youngs_modulus).force;
-        (found < force ? low : high) = middle;
-    }
-    return (low + high) / 2;
-}
-
-struct Lattice {
+struct CriticalLattice {
     std::string name;
-    bool face_centred;
-    NormalLaw law;
+    Lattice lattice;
     Real contact_force; // N
     Real critical_step; // s, from the lattice's exact eigenvalues
 };
 
-SystemSettings make_lattice(Lattice const& lattice)
-{
-    constexpr Real diameter = 0.23e-3;
-    SystemSettings settings;
-    settings.materials = {with(sand(), 1, 1e9)}; // never slides
-    settings.contact = contact_settings(lattice.law, DampingLaw::none, TangentialLaw::secant);
-    PairConstants const pair = make_pair(settings.materials[0], settings.materials[0], settings.contact);
-    Real const spacing =
-        diameter - overlap_under(lattice.contact_force, pair, contact_scale(sand(), diameter / 2, diameter / 2));
-    int const cells = lattice.face_centred ? 4 : 8; // even: the zone corner's mode fits
-    Real const edge = lattice.face_centred ? spacing * std::sqrt(Real(2)) : spacing;
-    std::vector<Vec3> sites{{0, 0, 0}};
-    if (lattice.face_centred) sites = {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
-    for (int cell = 0; cell < cells * cells * cells; ++cell)
-        for (Vec3 const& site : sites) {
-            Vec3 const corner{Real(cell % cells), Real(cell / cells % cells), Real(cell / (cells * cells))};
-            Grain grain = make_grain(static_cast<GrainId>(settings.grains.size()),
-                                     edge * (corner + site + Vec3{0.25, 0.25, 0.25}), diameter);
-            for (int axis = 0; axis < 3; ++axis) { // noise
-                grain.velocity[axis] = 1e-9 * (random_uniform(3, settings.grains.size(), axis) - 0.5);
-                grain.spin[axis] = 1e-5 * (random_uniform(3, settings.grains.size(), 3 + axis) - 0.5);
-            }
-            settings.grains.push_back(grain);
-        }
-    settings.box.upper = {cells * edge, cells * edge, cells * edge};
-    for (bool& axis : settings.box.periodic) axis = true;
-    settings.skin = 0.05 * diameter;
-    settings.start_bonded = lattice.law != NormalLaw::hertz;
-    return settings;
-}
-
 /// Growth of the noise's kinetic energy over a run at a multiple of the critical step.
-Real growth(Lattice const& lattice, Real multiple, int steps)
+Real growth(CriticalLattice const& critical, Real multiple, int steps)
 {
-    SystemSettings settings = make_lattice(lattice);
-    settings.dt = multiple * lattice.critical_step;
+    Lattice const& lattice = critical.lattice;
+    SystemSettings settings = make_lattice(lattice, lattice.diameter() - overlap_under(critical.contact_force, lattice));
+    for (Grain& grain : settings.grains)
+        for (int axis = 0; axis < 3; ++axis) { // noise
+            grain.velocity[axis] = 1e-9 * (random_uniform(3, grain.id, axis) - 0.5);
+            grain.spin[axis] = 1e-5 * (random_uniform(3, grain.id, 3 + axis) - 0.5);
+        }
+    settings.dt = multiple * critical.critical_step;
     GrainSystem system = make_system(settings);
     Real const start = totals(system).kinetic_energy;
     advance(system, steps);
@@ -222,10 +181,12 @@ std::vector<VerifyCase> check_critical_step()
 {
     std::vector<VerifyCase> rows;
     std::string const source = "Bloch eigenvalues with rotation, 1 MPa";
-    for (Lattice const& lattice : {Lattice{"SC, Hertz", false, NormalLaw::hertz, 0.0529, 1.75983e-7},
-                                   Lattice{"SC, JKR", false, NormalLaw::modified_jkr, 0.0529, 1.47518e-7},
-                                   Lattice{"FCC, Hertz", true, NormalLaw::hertz, 0.018703, 1.47984e-7},
-                                   Lattice{"FCC, JKR", true, NormalLaw::modified_jkr, 0.018703, 1.12116e-7}}) {
+    Lattice const cubic{false, NormalLaw::hertz, 1, 8}, adhering_cubic{false, NormalLaw::modified_jkr, 1, 8},
+        face_centred{true, NormalLaw::hertz, 1, 4}, adhering_face_centred{true, NormalLaw::modified_jkr, 1, 4};
+    for (CriticalLattice const& lattice : {CriticalLattice{"D13 SC, Hertz", cubic, 0.0529, 1.75983e-7},
+                                           {"D13 SC, JKR", adhering_cubic, 0.0529, 1.47518e-7},
+                                           {"D13 FCC, Hertz", face_centred, 0.018703, 1.47984e-7},
+                                           {"D13 FCC, JKR", adhering_face_centred, 0.018703, 1.12116e-7}}) {
         // Below the limit a mode's energy swings by up to 1/(1 - 0.98^2) = 25; above, it grows 1.9 times a step.
         rows.push_back(expect_true({lattice.name + ", 0.98 dt_c, 2000 steps", "stable", source},
                                    growth(lattice, 0.98, 2000) < 100));

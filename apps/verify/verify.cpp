@@ -2,6 +2,9 @@
 #include "apps/verify/verify.hpp"
 
 #include "apps/verify/checks.hpp"
+#include "apps/verify/coarse_checks.hpp"
+#include "apps/verify/coupling_checks.hpp"
+#include "apps/verify/fluid_checks.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
@@ -39,13 +42,24 @@ std::vector<VerifyGroup> const& verify_groups()
 {
     static std::vector<VerifyGroup> const groups{
         {"contact",
-         {check_pair_constants, check_hertz_impacts, check_restitution, check_jkr_points, check_jkr_curve,
-          check_work_of_peeling, check_pull, check_sticking, check_bonded_release, check_coarse_grained_pair}},
+         {check_pair_constants, check_hertz_impacts, check_restitution, check_bouncing, check_exact_touch, check_jkr_points, check_jkr_curve,
+          check_work_of_peeling, check_pull, check_sticking, check_bonded_release}},
         {"friction",
-         {check_friction_cycle, check_shear_paths, check_rigid_turns, check_incline, check_sliding_to_rolling, check_gear_spin,
+         {check_friction_cycle, check_partial_slip, check_shear_paths, check_rigid_turns, check_incline, check_sliding_to_rolling, check_gear_spin,
           check_oblique_impacts, check_spinning_impacts}},
-        {"integrator", {check_free_fall, check_pair_conservation, check_many_bodies, check_critical_step}},
+        {"integrator", {check_free_fall, check_pair_conservation, check_many_bodies, check_squeezed_pair, check_critical_step}},
         {"search", {check_pairs_found, check_periodic_crossing, check_independence}},
+        {"fluid",
+         {check_cavity, check_vortices, check_order_in_time, check_channel, check_brinkman, check_relaxation,
+          check_darcy, check_fluid_at_rest, check_manufactured_flow, check_porosity_jumps, check_moving_porosity,
+          check_holes, check_pressure_solver}},
+        {"coupling",
+         {check_single_grain, check_light_fluid, check_rising_gas, check_cell_sizes, check_momentum_balance,
+          check_fixed_bed, check_ergun_bed, check_paper_bed, check_fluid_steps, check_fluidisation, check_bed_expansion,
+          check_batch_settling}},
+        {"coarse_graining",
+         {check_coarse_grained_pair, check_coarse_speeds, check_lattice_stress, check_coarse_step, check_coarse_bed,
+          check_coarse_settling}},
     };
     return groups;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The fluid's bits: equal for any number of threads and across a restart.
-#include "tests/fluid_tools.hpp"
+#include "apps/verify/fluid_case.hpp"
 
 #include <gtest/gtest.h>
 

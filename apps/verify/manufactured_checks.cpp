@@ -3,14 +3,15 @@
 // 0.75, rho 1, mu 0.1, viscous form n div(tau):
 //   n = 1/2 + sin(a x) sin(a y) / 4,   n (u, v) = (curl of a stream function + a constant),   p = sin(a y) cos(a x)
 // The source is the residual of the momentum equation, by differences of the exact fields in long double.
-#include "tests/fluid_tools.hpp"
+#include "apps/verify/fluid_case.hpp"
+#include "apps/verify/fluid_checks.hpp"
 
-#include <gtest/gtest.h>
+#include <fmt/format.h>
 
 #include <map>
 
-using namespace arenite;
-
+namespace arenite
+{
 namespace
 {
 
@@ -52,15 +53,6 @@ Wide source(int c, Wide x, Wide y)
     return sum;
 }
 
-TEST(ManufacturedFlow, SourceAgreesWithTheSymbolicOne)
-{
-    // At (0.3, 0.55) and (0.77, 0.13): from computer algebra.
-    EXPECT_NEAR(source(0, 0.3L, 0.55L), 0.2020617891, 1e-8);
-    EXPECT_NEAR(source(1, 0.3L, 0.55L), -3.16248992, 1e-8);
-    EXPECT_NEAR(source(0, 0.77L, 0.13L), -1.033829843, 1e-8);
-    EXPECT_NEAR(source(1, 0.77L, 0.13L), -7.006002332, 1e-8);
-}
-
 struct Errors {
     Real velocity, pressure, continuity;
 };
@@ -100,19 +92,37 @@ Errors run_manufactured(int n, ConvectionScheme scheme)
     return errors;
 }
 
-TEST(ManufacturedFlow, SecondOrder)
+} // namespace
+
+std::vector<VerifyCase> check_manufactured_flow()
 {
+    std::vector<VerifyCase> rows;
+    std::string const symbolic = "computer algebra: mms_steady_points.csv, form A2";
+    Wide const points[][4] = {{0.3L, 0.55L, 0.2020617891L, -3.16248992L}, {0.77L, 0.13L, -1.033829843L, -7.006002332L}};
+    for (auto const& [x, y, sx, sy] : points)
+        for (int c = 0; c < 2; ++c)
+            rows.push_back(compare({fmt::format("F5 source at ({}, {})", Real(x), Real(y)),
+                                    c == 0 ? "x component [Pa/m]" : "y component [Pa/m]", symbolic},
+                                   Real(source(c, x, y)), Real(c == 0 ? sx : sy), 1e-8));
     for (ConvectionScheme const scheme : {ConvectionScheme::central, ConvectionScheme::limited}) {
         Errors const coarse = run_manufactured(12, scheme), fine = run_manufactured(24, scheme),
                      finest = run_manufactured(48, scheme);
-        printf("scheme %d: u %.3e %.3e %.3e  p %.3e %.3e %.3e  continuity %.1e\n", int(scheme), coarse.velocity,
-               fine.velocity, finest.velocity, coarse.pressure, fine.pressure, finest.pressure, finest.continuity);
-        Real const least = scheme == ConvectionScheme::central ? 1.9 : 1.5; // the limiter is first order at extrema
-        EXPECT_GE(observed_order(coarse.velocity, fine.velocity), least);
-        EXPECT_GE(observed_order(fine.velocity, finest.velocity), least);
-        EXPECT_GE(observed_order(fine.pressure, finest.pressure), 1.5);
-        EXPECT_LT(finest.continuity, 1e-11); // rounding of 1e-16 over a spacing of 1/48, velocities up to 2
+        bool const central = scheme == ConvectionScheme::central;
+        std::string const name = fmt::format("F5 manufactured flow, {} convection", central ? "central" : "limited"),
+                          reference = "exact field; n from 0.25 to 0.75";
+        Real const least = central ? 1.9 : 1.5; // the limiter is first order at extrema
+        rows.push_back(compare_error({name + ", 48^2", "rms error of u / 2 m/s", reference}, finest.velocity / 2,
+                                     central ? 5e-3 : 1e-2));
+        rows.push_back(at_least({name, "order of u, 12 to 24", reference},
+                                observed_order(coarse.velocity, fine.velocity), least));
+        rows.push_back(at_least({name, "order of u, 24 to 48", reference},
+                                observed_order(fine.velocity, finest.velocity), least));
+        rows.push_back(at_least({name, "order of p, 24 to 48", reference},
+                                observed_order(fine.pressure, finest.pressure), 1.5));
+        // Rounding of 1e-16 over a spacing of 1/48, velocities up to 2.
+        rows.push_back(compare_error({name + ", 48^2", "dn/dt + div(n u) [1/s]", "continuity"}, finest.continuity, 1e-11));
     }
+    return rows;
 }
 
-} // namespace
+} // namespace arenite

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the fluid's tests share: a flow with its boundary and solver, fields set and read on the host, and
-// observed orders.
+// What the fluid's checks and tests share: a flow with its boundary and solver, fields set and read on the host,
+// and observed orders.
 #pragma once
 
 #include "fluid/advance_flow.hpp"

@@ -26,6 +26,9 @@ TEST(Verify, Contact) { expect_all_pass("contact"); }
 TEST(Verify, Friction) { expect_all_pass("friction"); }
 TEST(Verify, Integrator) { expect_all_pass("integrator"); }
 TEST(Verify, Search) { expect_all_pass("search"); }
+TEST(Verify, Fluid) { expect_all_pass("fluid"); }
+TEST(Verify, Coupling) { expect_all_pass("coupling"); }
+TEST(Verify, CoarseGraining) { expect_all_pass("coarse_graining"); }
 
 } // namespace
 } // namespace arenite
