@@ -80,8 +80,7 @@ void complete(Scene& scene, Faults& faults)
 
 void check(Scene const& scene, Faults& faults)
 {
-    if (faults.given("domain.lower") && faults.given("domain.upper"))
-        check_region({scene.domain.lower, scene.domain.upper}, "domain", faults);
+    check_region({scene.domain.lower, scene.domain.upper}, "domain", faults);
     std::vector<int> const grain_materials = check_grains(scene, faults);
     check_materials(scene, grain_materials, faults);
     check_walls(scene, faults);
@@ -93,6 +92,8 @@ void check(Scene const& scene, Faults& faults)
 
 void check_region(Region const& region, std::string const& path, Faults& faults)
 {
+    std::string const lower = path + ".lower", upper = path + ".upper";
+    if (!faults.given(lower) || !faults.given(upper) || faults.any_faulty({lower, upper})) return;
     for (int axis = 0; axis < 3; ++axis)
         if (!(region.lower[axis] < region.upper[axis]))
             return faults.add(path + ".upper", fmt::format("must be above lower along {}", "xyz"[axis]));

@@ -42,8 +42,15 @@ bool Faults::any_faulty(std::vector<std::string> const& paths) const
     return std::any_of(paths.begin(), paths.end(), [this](std::string const& path) { return faulty_.count(path) != 0; });
 }
 
+void Faults::add_value(std::string const& path, std::string const& message)
+{
+    add(path, message);
+    wrong_values_.insert(path);
+}
+
 void Faults::add(std::string const& path, std::string const& message)
 {
+    if (ignored_.count(path)) return;
     faulty_.insert(path);
     std::string enclosing = path;
     auto place = places_.find(enclosing);
