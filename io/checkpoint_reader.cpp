@@ -18,6 +18,7 @@ struct CheckpointReader::File {
     std::filesystem::path path;
     Handle handle;
     CheckpointStamp stamp;
+    std::uintmax_t size = 0; // bytes
 
     [[noreturn]] void fail(std::string const& what) const
     {
@@ -37,6 +38,13 @@ namespace {
 
 constexpr char const* what_now = "; it cannot be used, take an earlier checkpoint";
 
+/// One value: of a list, HDF5 would write more than there is room for.
+bool is_single(hid_t attribute)
+{
+    Handle const space(H5Aget_space(attribute), H5Sclose);
+    return space.valid() && H5Sget_simple_extent_npoints(space.get()) == 1;
+}
+
 herr_t collect_names(hid_t, char const* name, H5O_info_t const* info, void* result)
 {
     if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(result)->emplace_back(name);
@@ -50,6 +58,7 @@ void CheckpointReader::File::open()
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) fail("is a folder, not a checkpoint");
     if (!std::ifstream(path)) fail(fmt::format("cannot read the checkpoint: {}", std::strerror(errno)));
+    size = std::filesystem::file_size(path, error);
     handle = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (handle.valid()) return;
     std::string const cause = hdf5::cause();
@@ -63,7 +72,7 @@ void CheckpointReader::File::attribute(hid_t owner, char const* name, Element ki
 {
     Handle const source(H5Aopen(owner, name, H5P_DEFAULT), H5Aclose);
     Handle const type(source.valid() ? H5Aget_type(source.get()) : -1, H5Tclose);
-    bool const good = type.valid() && H5Tequal(type.get(), hdf5::type_of(kind)) > 0 &&
+    bool const good = type.valid() && is_single(source.get()) && H5Tequal(type.get(), hdf5::type_of(kind)) > 0 &&
                       H5Aread(source.get(), hdf5::type_of(kind), value) >= 0;
     if (!good) fail(fmt::format("the checkpoint is damaged (no '{}'){}", name, what_now));
 }
@@ -73,6 +82,7 @@ std::string CheckpointReader::File::attribute_text(hid_t owner, char const* name
     Handle const source(H5Aopen(owner, name, H5P_DEFAULT), H5Aclose);
     Handle const type(source.valid() ? H5Aget_type(source.get()) : -1, H5Tclose);
     if (!type.valid() || H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) return {};
+    if (!is_single(source.get()) || H5Tget_size(type.get()) > size) return {};
     std::string text(H5Tget_size(type.get()), '\0');
     if (H5Aread(source.get(), type.get(), text.data()) < 0) return {};
     return text.substr(0, text.find('\0'));
@@ -113,6 +123,12 @@ std::vector<std::size_t> CheckpointReader::File::shape(hid_t dataset) const
     if (rank < 0) fail(fmt::format("the checkpoint is damaged ({}){}", hdf5::cause(), what_now));
     std::vector<hsize_t> extents(rank);
     H5Sget_simple_extent_dims(space.get(), extents.data(), nullptr);
+    // What is announced is not asked for before it is known to be there.
+    std::uintmax_t most = size;
+    for (hsize_t const extent : extents) {
+        if (extent > most) fail(fmt::format("the checkpoint is damaged (an array larger than the file){}", what_now));
+        if (extent > 0) most /= extent;
+    }
     return {extents.begin(), extents.end()};
 }
 

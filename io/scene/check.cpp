@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace arenite::scene {
 namespace {
@@ -110,6 +111,12 @@ bool check_name(std::string const& name, std::vector<std::string> const& names, 
     if (std::find(names.begin(), names.end(), name) != names.end()) return true;
     faults.add(path, fmt::format("there is no {} \"{}\"{}", what, name, suggestion(name, names)));
     return false;
+}
+
+bool is_file(std::string const& path)
+{
+    std::error_code error;
+    return path.find('\0') == std::string::npos && std::filesystem::is_regular_file(path, error);
 }
 
 WallSettings const* find_wall(Scene const& scene, std::string const& name)

@@ -67,7 +67,7 @@ void Faults::add(std::string const& path, std::string const& message)
 
 void Faults::add_at(Location const& location, std::string const& message)
 {
-    std::string const text = fmt::format("{}: {}", location.text, message);
+    std::string const text = printable(fmt::format("{}: {}", location.text, message));
     if (said_.insert(text).second) faults_.push_back({location.line, location.column, text});
 }
 
@@ -86,6 +86,17 @@ void Faults::throw_if_any() const
     std::string text;
     for (Fault const& fault : sorted) text += (text.empty() ? "" : "\n") + fault.text;
     throw InputError(text);
+}
+
+std::string printable(std::string const& text)
+{
+    std::string shown;
+    for (char const c : text) {
+        auto const byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) shown += fmt::format("\\u{:04x}", byte);
+        else shown += c;
+    }
+    return shown;
 }
 
 std::string nearest_name(std::string const& wrong, std::vector<std::string> const& names)

@@ -53,6 +53,9 @@ private:
     std::set<std::string> said_; // one mistake seen from two sides is said once
 };
 
+/// Control characters as \u0000: a message is one line, and a zero would end it and all that follow.
+std::string printable(std::string const& text);
+
 /// The name nearest to `wrong` by edit distance, or "" if none is near.
 std::string nearest_name(std::string const& wrong, std::vector<std::string> const& names);
 

@@ -183,6 +183,22 @@ TEST(Checkpoint, MissingForeignAndOtherVersionsAreRefused)
     EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader in(path); }), "has checkpoint format 99"));
 }
 
+TEST(Checkpoint, WhatAFileAnnouncesIsNotBelieved)
+{
+    test::ScratchFolder const folder;
+    test::write_hdf5_with_listed_step(folder / "listed.h5");
+    EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "listed.h5"); }), "damaged"));
+    fs::path const path = write_small(folder.path(), 1);
+    test::add_announced_array(path, "huge");
+    auto const larger = [&](auto const& call) {
+        EXPECT_TRUE(contains(message_of<InputError>(call), "an array larger than the file"));
+    };
+    larger([&] { CheckpointReader(path).verify(); });
+    larger([&] { CheckpointReader(path).array<Real>("huge"); });
+    View1<Real> view;
+    larger([&] { CheckpointReader(path).view("huge", view); });
+}
+
 TEST(Checkpoint, ATruncatedFileIsRefused)
 {
     test::ScratchFolder const folder;

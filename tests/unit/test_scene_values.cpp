@@ -127,6 +127,13 @@ TEST(SceneValues, AWrongValueOfAWholeSceneDoesNotDoubtItsNeighbours)
     }
 }
 
+TEST(SceneValues, AControlCharacterDoesNotCutTheMessage)
+{
+    std::string const faults = faults_of_text("\"a\\u0000b\\nc\" = 1\ntitel = 2\n[stages]\n");
+    EXPECT_TRUE(contains(faults, "scenes/x.toml:1:1: a\\u0000b\\u000ac: unknown key"));
+    EXPECT_TRUE(contains(faults, "scenes/x.toml:2:1: titel: unknown key; did you mean title?"));
+}
+
 TEST(SceneValues, AllFaultsComeAtOnceInTheOrderOfTheFile)
 {
     std::string text = valid_scene;
