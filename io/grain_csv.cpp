@@ -92,6 +92,7 @@ private:
                 fault(column, fmt::format("unknown column \"{}\"{}", name, scene::suggestion(name, column_names)));
             else if (std::find(columns_.begin(), columns_.end() - 1, name) != columns_.end() - 1)
                 fault(column, fmt::format("column \"{}\" occurs twice", name));
+            if (faults_.size() >= most_faults) throw_if_faulty();
         }
         for (char const* needed : {"x", "y", "z"})
             if (!has(needed)) fault(0, fmt::format("column \"{}\" is missing", needed));

@@ -104,6 +104,8 @@ std::string nearest_name(std::string const& wrong, std::vector<std::string> cons
     std::string nearest;
     std::size_t least = std::max<std::size_t>(2, wrong.size() / 2); // farther is another word, not a slip
     for (std::string const& name : names) {
+        std::size_t const longer = std::max(wrong.size(), name.size()), shorter = std::min(wrong.size(), name.size());
+        if (longer - shorter > least) continue; // so many letters at least are wrong
         std::size_t const distance = edit_distance(wrong, name);
         if (distance > least || (distance == least && !nearest.empty())) continue;
         least = distance;
