@@ -48,7 +48,8 @@ fs::path folder_of(RunOptions const& options)
 /// A folder that holds another run is not written over in silence.
 void check_folder(fs::path const& folder, bool resume)
 {
-    if (resume && !fs::is_directory(folder)) throw InputError(fmt::format("--resume: there is no run in {}", folder.string()));
+    std::error_code unreadable;
+    if (resume && !fs::is_directory(folder, unreadable)) throw InputError(fmt::format("--resume: there is no run in {}", folder.string()));
 }
 
 RunState resumed_state(RunOptions const& options, fs::path const& folder, Scene const& scene, StagePlan const& plan)

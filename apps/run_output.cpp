@@ -29,7 +29,11 @@ HistoryColumns columns_of(Scene const& scene)
     return columns;
 }
 
-std::int64_t steps_of(Real interval, Real dt) { return interval > 0 ? std::max<std::int64_t>(1, std::llround(interval / dt)) : 0; }
+std::int64_t steps_of(Real interval, Real dt)
+{
+    constexpr Real never = 1e15; // steps; what is beyond fits no integer
+    return interval > 0 ? std::max<std::int64_t>(1, std::llround(std::min(interval / dt, never))) : 0;
+}
 
 double seconds_since(std::chrono::steady_clock::time_point start)
 {

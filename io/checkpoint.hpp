@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checkpoints: named arrays and values in one HDF5 file, bit for bit, with a checksum each. What the
+// Checkpoints: named arrays and values in one HDF5 file, bit for bit, under a checksum. What the
 // state consists of is the business of those who own it; they add their arrays under names of their own
 // ("contacts/history"). Where HDF5 is left out, writing and reading throw one clear message.
 //
@@ -100,7 +100,7 @@ public:
     /// Allocates the View to the stored shape and fills it.
     template <class T, class... P> void view(std::string const& name, Kokkos::View<T, P...>& target) const;
 
-    /// Reads everything and compares the checksums.
+    /// Compares the checksum. Done before any array is read, too; not for the stamp alone.
     void verify() const;
 
 private:

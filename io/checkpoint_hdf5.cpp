@@ -66,12 +66,4 @@ char const* name_of(Element kind)
     return names[static_cast<int>(kind)];
 }
 
-std::uint64_t checksum(void const* data, std::size_t bytes)
-{
-    auto const* const byte = static_cast<unsigned char const*>(data);
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ byte[i]) * 0x100000001b3u;
-    return hash;
-}
-
 } // namespace arenite::hdf5

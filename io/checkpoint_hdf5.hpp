@@ -13,9 +13,6 @@
 
 namespace arenite::hdf5 {
 
-inline constexpr char const* format_name = "arenite checkpoint";
-inline constexpr std::int64_t format_version = 1;
-
 /// An HDF5 id and the function that closes it.
 class Handle {
 public:
@@ -57,8 +54,5 @@ std::string cause();
 
 hid_t type_of(Element kind);
 char const* name_of(Element kind);
-
-/// FNV-1a, 64 bits.
-std::uint64_t checksum(void const* data, std::size_t bytes);
 
 } // namespace arenite::hdf5

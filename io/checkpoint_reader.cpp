@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/checkpoint.hpp"
 #include "io/checkpoint_hdf5.hpp"
+#include "io/checkpoint_header.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 namespace arenite {
 
@@ -16,21 +14,18 @@ using hdf5::Handle;
 
 struct CheckpointReader::File {
     std::filesystem::path path;
-    Handle handle;
-    CheckpointStamp stamp;
+    CheckpointHeader header;
+    Handle handle; // only once the content is known to be whole
 
     [[noreturn]] void fail(std::string const& what) const
     {
         throw InputError(fmt::format("{}: {}", path.string(), what));
     }
 
-    void open();
-    void read_stamp();
-    Handle dataset(std::string const& name) const;
+    hid_t opened();
+    Handle dataset(std::string const& name);
     std::vector<std::size_t> shape(hid_t dataset) const;
     Element kind(hid_t dataset, std::string const& name) const;
-    void attribute(hid_t owner, char const* name, Element kind, void* value) const;
-    std::string attribute_text(hid_t owner, char const* name) const;
 };
 
 namespace {
@@ -45,63 +40,18 @@ herr_t collect_names(hid_t, char const* name, H5O_info_t const* info, void* resu
 
 } // namespace
 
-void CheckpointReader::File::open()
+hid_t CheckpointReader::File::opened()
 {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) fail("is a folder, not a checkpoint");
-    if (!std::ifstream(path)) fail(fmt::format("cannot read the checkpoint: {}", std::strerror(errno)));
+    if (handle.valid()) return handle.get();
+    check_content(path, header);
     handle = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-    if (handle.valid()) return;
-    std::string const cause = hdf5::cause();
-    if (cause.find("truncated") != std::string::npos)
-        fail(fmt::format("the checkpoint is truncated ({}){}", cause, what_now));
-    if (H5Fis_hdf5(path.c_str()) <= 0) fail("is not an Arenite checkpoint (not an HDF5 file)");
-    fail(fmt::format("the checkpoint is damaged ({}){}", cause, what_now));
+    if (!handle.valid()) fail(fmt::format("the checkpoint is damaged ({}){}", hdf5::cause(), what_now));
+    return handle.get();
 }
 
-void CheckpointReader::File::attribute(hid_t owner, char const* name, Element kind, void* value) const
+Handle CheckpointReader::File::dataset(std::string const& name)
 {
-    Handle const source(H5Aopen(owner, name, H5P_DEFAULT), H5Aclose);
-    Handle const type(source.valid() ? H5Aget_type(source.get()) : -1, H5Tclose);
-    bool const good = type.valid() && H5Tequal(type.get(), hdf5::type_of(kind)) > 0 &&
-                      H5Aread(source.get(), hdf5::type_of(kind), value) >= 0;
-    if (!good) fail(fmt::format("the checkpoint is damaged (no '{}'){}", name, what_now));
-}
-
-std::string CheckpointReader::File::attribute_text(hid_t owner, char const* name) const
-{
-    Handle const source(H5Aopen(owner, name, H5P_DEFAULT), H5Aclose);
-    Handle const type(source.valid() ? H5Aget_type(source.get()) : -1, H5Tclose);
-    if (!type.valid() || H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) return {};
-    std::string text(H5Tget_size(type.get()), '\0');
-    if (H5Aread(source.get(), type.get(), text.data()) < 0) return {};
-    return text.substr(0, text.find('\0'));
-}
-
-void CheckpointReader::File::read_stamp()
-{
-    Handle const root(H5Gopen2(handle.get(), "/", H5P_DEFAULT), H5Gclose);
-    if (!root.valid()) fail(fmt::format("the checkpoint is damaged ({}){}", hdf5::cause(), what_now));
-    if (attribute_text(root.get(), "format") != hdf5::format_name)
-        fail("is not an Arenite checkpoint (an HDF5 file of another program)");
-    std::int64_t version = 0;
-    attribute(root.get(), "format_version", Element::int64, &version);
-    if (version != hdf5::format_version)
-        fail(fmt::format(
-            "has checkpoint format {}, this program reads format {}: use the version of Arenite that wrote it ({})",
-            version, hdf5::format_version, attribute_text(root.get(), "arenite_version")));
-    std::uint8_t stage_end = 0;
-    attribute(root.get(), "step", Element::int64, &stamp.step);
-    attribute(root.get(), "time", Element::real64, &stamp.time);
-    attribute(root.get(), "stage_end", Element::uint8, &stage_end);
-    attribute(root.get(), "scene_hash", Element::uint64, &stamp.scene_hash);
-    stamp.stage = attribute_text(root.get(), "stage");
-    stamp.stage_end = stage_end != 0;
-}
-
-Handle CheckpointReader::File::dataset(std::string const& name) const
-{
-    Handle target(H5Dopen2(handle.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    Handle target(H5Dopen2(opened(), name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!target.valid()) fail(fmt::format("the checkpoint has no array '{}'", name));
     return target;
 }
@@ -113,6 +63,13 @@ std::vector<std::size_t> CheckpointReader::File::shape(hid_t dataset) const
     if (rank < 0) fail(fmt::format("the checkpoint is damaged ({}){}", hdf5::cause(), what_now));
     std::vector<hsize_t> extents(rank);
     H5Sget_simple_extent_dims(space.get(), extents.data(), nullptr);
+    // What is announced is not asked for before it is known to be there.
+    std::error_code error;
+    std::uintmax_t most = std::filesystem::file_size(path, error);
+    for (hsize_t const extent : extents) {
+        if (extent > most) fail(fmt::format("the checkpoint is damaged (an array larger than the file){}", what_now));
+        if (extent > 0) most /= extent;
+    }
     return {extents.begin(), extents.end()};
 }
 
@@ -126,24 +83,22 @@ Element CheckpointReader::File::kind(hid_t dataset, std::string const& name) con
 
 CheckpointReader::CheckpointReader(std::filesystem::path path) : file_(std::make_unique<File>())
 {
-    hdf5::Quiet const quiet;
     file_->path = std::move(path);
-    file_->open();
-    file_->read_stamp();
+    file_->header = read_header(file_->path);
 }
 
 CheckpointReader::~CheckpointReader() = default;
 
-CheckpointStamp const& CheckpointReader::stamp() const { return file_->stamp; }
+CheckpointStamp const& CheckpointReader::stamp() const { return file_->header.stamp; }
 
 void CheckpointReader::require_scene(std::uint64_t hash) const
 {
-    if (hash == file_->stamp.scene_hash) return;
+    if (hash == file_->header.stamp.scene_hash) return;
     file_->fail(fmt::format(
         "was written for another scene: what made the state differs from this scene, or the files that the scenes "
         "name do (hash {:016x}, this scene's {:016x}); only stages that have not begun, the duration and end of the stage "
         "in progress and the output may change",
-        file_->stamp.scene_hash, hash));
+        file_->header.stamp.scene_hash, hash));
 }
 
 bool CheckpointReader::has(std::string const& name) const
@@ -157,7 +112,7 @@ std::vector<std::string> CheckpointReader::names() const
 {
     hdf5::Quiet const quiet;
     std::vector<std::string> result;
-    if (H5Ovisit(file_->handle.get(), H5_INDEX_NAME, H5_ITER_INC, collect_names, &result) < 0)
+    if (H5Ovisit(file_->opened(), H5_INDEX_NAME, H5_ITER_INC, collect_names, &result) < 0)
         file_->fail(fmt::format("the checkpoint is damaged ({}){}", hdf5::cause(), what_now));
     std::sort(result.begin(), result.end());
     return result;
@@ -204,25 +159,12 @@ void CheckpointReader::read(std::string const& name, void* target) const
     std::size_t const count = size_of(file_->shape(source.get()));
     if (count > 0 && H5Dread(source.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, target) < 0)
         file_->fail(fmt::format("cannot read '{}': {}", name, hdf5::cause()));
-    std::uint64_t expected = 0;
-    file_->attribute(source.get(), "fnv1a", Element::uint64, &expected);
-    if (hdf5::checksum(target, count * H5Tget_size(type)) != expected)
-        file_->fail(fmt::format("the array '{}' is damaged (its checksum is wrong){}", name, what_now));
 }
 
 void CheckpointReader::verify() const
 {
     hdf5::Quiet const quiet;
-    std::vector<char> buffer;
-    for (auto const& name : names()) {
-        Handle const source = file_->dataset(name);
-        std::size_t const size =
-            size_of(file_->shape(source.get())) * H5Tget_size(hdf5::type_of(file_->kind(source.get(), name)));
-        if (H5Dget_storage_size(source.get()) != size)
-            file_->fail(fmt::format("the array '{}' is damaged (its size is wrong){}", name, what_now));
-        buffer.resize(size);
-        read(name, buffer.data());
-    }
+    file_->opened();
 }
 
 } // namespace arenite

@@ -3,6 +3,7 @@
 #include "io/build_info.hpp"
 #include "io/checkpoint.hpp"
 #include "io/checkpoint_hdf5.hpp"
+#include "io/checkpoint_header.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@ bool can_write_checkpoints() { return true; }
 
 struct CheckpointWriter::File {
     std::filesystem::path path;
+    CheckpointStamp stamp;
     Handle handle;
     bool committed = false;
 
@@ -41,18 +43,14 @@ struct CheckpointWriter::File {
         check(target.valid() && H5Awrite(target.get(), type.get(), value.c_str()) >= 0,
               fmt::format("cannot write '{}'", name));
     }
-    void stamp(CheckpointStamp const& stamp) const
+    /// For whoever opens the file with another program; we read the header.
+    void describe() const
     {
         Handle const root(H5Gopen2(handle.get(), "/", H5P_DEFAULT), H5Gclose);
-        std::uint8_t const stage_end = stamp.stage_end ? 1 : 0;
-        attribute(root.get(), "format", hdf5::format_name);
-        attribute(root.get(), "format_version", Element::int64, &hdf5::format_version);
         attribute(root.get(), "arenite_version", build_info().version);
         attribute(root.get(), "step", Element::int64, &stamp.step);
         attribute(root.get(), "time", Element::real64, &stamp.time);
         attribute(root.get(), "stage", stamp.stage);
-        attribute(root.get(), "stage_end", Element::uint8, &stage_end);
-        attribute(root.get(), "scene_hash", Element::uint64, &stamp.scene_hash);
     }
 };
 
@@ -61,13 +59,14 @@ CheckpointWriter::CheckpointWriter(std::filesystem::path path, CheckpointStamp c
 {
     hdf5::Quiet const quiet;
     file_->path = std::move(path);
-    // Format 1.8 and later keep checksums of their own structures; the arrays' are ours.
-    Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    file_->stamp = stamp;
+    Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_LATEST);
+    H5Pset_userblock(creation.get(), header_room(stamp));
     file_->handle =
-        Handle(H5Fcreate(temporary_name(file_->path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+        Handle(H5Fcreate(temporary_name(file_->path).c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
     file_->check(file_->handle.valid(), "cannot create the checkpoint");
-    file_->stamp(stamp);
+    file_->describe();
 }
 
 CheckpointWriter::~CheckpointWriter()
@@ -94,8 +93,6 @@ void CheckpointWriter::write(std::string const& name, Element kind, std::vector<
     bool const written =
         target.valid() && (count == 0 || H5Dwrite(target.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0);
     file_->check(written, fmt::format("cannot write '{}'", name));
-    std::uint64_t const sum = hdf5::checksum(data, count * H5Tget_size(type));
-    file_->attribute(target.get(), "fnv1a", Element::uint64, &sum);
 }
 
 void CheckpointWriter::commit()
@@ -103,6 +100,7 @@ void CheckpointWriter::commit()
     hdf5::Quiet const quiet;
     file_->check(H5Fflush(file_->handle.get(), H5F_SCOPE_GLOBAL) >= 0 && file_->handle.reset(),
                  "cannot finish the checkpoint");
+    write_header(temporary_name(file_->path), file_->stamp, file_->path);
     publish_file(file_->path);
     file_->committed = true;
 }

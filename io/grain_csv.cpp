@@ -51,10 +51,8 @@ public:
     {
     }
 
-    GrainTable read()
+    GrainTable read(std::istream& file)
     {
-        if (!std::filesystem::is_regular_file(path_)) throw InputError(path_ + ": no such file");
-        std::ifstream file(path_, std::ios::binary);
         std::string buffer;
         while (next_line(file, buffer)) {
             std::string_view const line = trimmed(buffer);
@@ -94,6 +92,7 @@ private:
                 fault(column, fmt::format("unknown column \"{}\"{}", name, scene::suggestion(name, column_names)));
             else if (std::find(columns_.begin(), columns_.end() - 1, name) != columns_.end() - 1)
                 fault(column, fmt::format("column \"{}\" occurs twice", name));
+            if (faults_.size() >= most_faults) throw_if_faulty();
         }
         for (char const* needed : {"x", "y", "z"})
             if (!has(needed)) fault(0, fmt::format("column \"{}\" is missing", needed));
@@ -132,6 +131,7 @@ private:
         } else if (name == "diameter" || name == "radius") {
             grain.diameter = real(index, cell) * (name == "radius" ? 2 : 1);
             if (!(grain.diameter > 0)) value_fault(index, cell, "must be > 0 m");
+            if (!std::isfinite(grain.diameter)) value_fault(index, cell, "is too large");
         } else if (name == "id") grain.id = integer(index, cell, std::numeric_limits<GrainId>::max());
         else if (name == "class") grain.size_class = static_cast<int>(integer(index, cell, 32767));
         else if (name == "held") grain.motion = flag(index, cell) ? Motion::held : Motion::free;
@@ -186,7 +186,7 @@ private:
     {
         std::string const where =
             column ? fmt::format("{}:{}:{}", path_, line_number_, column) : fmt::format("{}:{}", path_, line_number_);
-        faults_.push_back(where + ": " + message);
+        faults_.push_back(scene::printable(where + ": " + message));
     }
 
     void throw_if_faulty() const
@@ -213,7 +213,17 @@ private:
 
 GrainTable read_grain_csv(std::string const& path, std::vector<std::string> const& materials, int default_material)
 {
-    return GrainCsvReader(path, materials, default_material).read();
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": no such file");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError(path + ": cannot be read");
+    return parse_grain_csv(file, path, materials, default_material);
+}
+
+GrainTable parse_grain_csv(std::istream& stream, std::string const& name, std::vector<std::string> const& materials,
+                           int default_material)
+{
+    return GrainCsvReader(name, materials, default_material).read(stream);
 }
 
 } // namespace arenite

@@ -6,6 +6,7 @@
 
 #include "core/particles.hpp"
 
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,9 @@ struct GrainTable {
 /// material is a row of `materials`; grains without a material column get default_material (-1: the
 /// column is needed). Throws InputError that lists the faults as FILE:LINE:COLUMN: what.
 GrainTable read_grain_csv(std::string const& path, std::vector<std::string> const& materials, int default_material);
+
+/// The same from a stream; `name` stands for the path in messages.
+GrainTable parse_grain_csv(std::istream& stream, std::string const& name, std::vector<std::string> const& materials,
+                           int default_material);
 
 } // namespace arenite

@@ -196,7 +196,8 @@ SceneNode parse_scene(std::string_view text, std::string const& path) { return p
 
 SceneNode load_scene_file(std::string const& path)
 {
-    if (!std::filesystem::is_regular_file(path)) throw InputError(fmt::format("{}: no such scene file", path));
+    std::error_code unreadable; // a name too long, a folder that may not be looked into
+    if (!std::filesystem::is_regular_file(path, unreadable)) throw InputError(fmt::format("{}: no such scene file", path));
     std::ifstream file(path, std::ios::binary);
     std::string const text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     if (!file) throw InputError(fmt::format("{}: cannot be read", path));

@@ -26,6 +26,7 @@ Scene build_scene(SceneNode root, std::string const& path, std::vector<std::stri
     Scene result;
     result.path = path;
     scene::read_table(root, scene::scene_fields(result), "", faults);
+    faults.values_are_read();
     scene::complete(result, faults);
     scene::check(result, faults);
     faults.throw_if_any();

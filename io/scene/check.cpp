@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace arenite::scene {
 namespace {
@@ -80,8 +81,7 @@ void complete(Scene& scene, Faults& faults)
 
 void check(Scene const& scene, Faults& faults)
 {
-    if (faults.given("domain.lower") && faults.given("domain.upper"))
-        check_region({scene.domain.lower, scene.domain.upper}, "domain", faults);
+    check_region({scene.domain.lower, scene.domain.upper}, "domain", faults);
     std::vector<int> const grain_materials = check_grains(scene, faults);
     check_materials(scene, grain_materials, faults);
     check_walls(scene, faults);
@@ -93,6 +93,8 @@ void check(Scene const& scene, Faults& faults)
 
 void check_region(Region const& region, std::string const& path, Faults& faults)
 {
+    std::string const lower = path + ".lower", upper = path + ".upper";
+    if (!faults.given(lower) || !faults.given(upper) || faults.any_faulty({lower, upper})) return;
     for (int axis = 0; axis < 3; ++axis)
         if (!(region.lower[axis] < region.upper[axis]))
             return faults.add(path + ".upper", fmt::format("must be above lower along {}", "xyz"[axis]));
@@ -109,6 +111,12 @@ bool check_name(std::string const& name, std::vector<std::string> const& names, 
     if (std::find(names.begin(), names.end(), name) != names.end()) return true;
     faults.add(path, fmt::format("there is no {} \"{}\"{}", what, name, suggestion(name, names)));
     return false;
+}
+
+bool is_file(std::string const& path)
+{
+    std::error_code error;
+    return path.find('\0') == std::string::npos && std::filesystem::is_regular_file(path, error);
 }
 
 WallSettings const* find_wall(Scene const& scene, std::string const& name)

@@ -44,6 +44,9 @@ template <class List> std::vector<std::string> names_of(List const& list)
     return names;
 }
 
+/// False too for a name that no file can have.
+bool is_file(std::string const& path);
+
 WallSettings const* find_wall(Scene const& scene, std::string const& name);
 
 /// The entry of a pair, in either order, or null.

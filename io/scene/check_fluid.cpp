@@ -76,6 +76,9 @@ void check_fluid(Scene const& scene, Faults& faults)
     if (!scene.fluid) return;
     FluidSettings const& f = *scene.fluid;
     check_steps(scene, f, faults);
+    constexpr Real most = 1e9; // a cell's number is an int, and so is that of its faces
+    Real const cells = Real(f.cells[0]) * f.cells[1] * f.cells[2];
+    if (cells > most) faults.add("fluid.cells", fmt::format("are {:.3g} cells in all, more than the {:g} that a run can have", cells, most));
     if (f.box) check_region(*f.box, "fluid.box", faults);
     check_fit_wall(scene, f, faults);
     for (std::size_t i = 0; i < f.patches.size(); ++i) check_patch(f.patches[i], element("fluid.patches", i), faults);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/scene/check.hpp"
 
+#include "core/coarse_graining.hpp"
 #include "core/error.hpp"
 #include "io/scene_reader.hpp"
 
@@ -8,7 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <limits>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -42,6 +44,23 @@ void check_classes(DistributionSettings const& d, std::string const& path, Fault
         faults.add(path + ".fractions", fmt::format("the sum must be 1, it is {}", sum));
 }
 
+/// Amounts that no computer holds are refused before anything is counted or made.
+void check_amount(Scene const& scene, std::string const& path, Faults& faults)
+{
+    DistributionSettings const& d = scene.particles.distribution;
+    if (faults.any_faulty({path, path + ".diameters", path + ".fractions", path + ".lognormal", path + ".region", "coarse_graining.factor"})) return;
+    Real const mean = scene.coarse_graining.factor * mean_volume_diameter(d);
+    if (!(mean > 0) || !std::isfinite(mean * mean * mean) || !(mean * mean * mean > 0))
+        return faults.add(path, "the grains' mean volume is not a number that can be computed with");
+    if (d.count > 0) return;
+    Region const region = d.region.value_or(Region{scene.domain.lower, scene.domain.upper});
+    Vec3 const size = region.upper - region.lower;
+    Real const solid = d.solid_volume > 0 ? d.solid_volume : d.solid_fraction * size.x * size.y * size.z;
+    Real const grains = solid / (std::numbers::pi_v<Real> / 6 * mean * mean * mean);
+    constexpr Real most = std::numeric_limits<int>::max();
+    if (!(grains <= most)) faults.add(path, fmt::format("is {:.3g} grains, more than the {:.0f} that a run can have", grains, most));
+}
+
 void check_distribution(Scene const& scene, Faults& faults)
 {
     DistributionSettings const& d = scene.particles.distribution;
@@ -51,6 +70,7 @@ void check_distribution(Scene const& scene, Faults& faults)
     int const amounts = (d.count > 0) + (d.solid_volume > 0) + (d.solid_fraction > 0);
     if (amounts != 1 && !faults.any_faulty({path + ".count", path + ".solid_volume", path + ".solid_fraction"}))
         faults.add(path, "needs exactly one of count, solid_volume and solid_fraction");
+    check_amount(scene, path, faults);
     if (!d.region) return;
     check_region(*d.region, path + ".region", faults);
     Region const domain{scene.domain.lower, scene.domain.upper};
@@ -89,7 +109,7 @@ std::vector<int> check_source(Scene const& scene, Faults& faults)
     if (!p.material.empty())
         check_name(p.material, names_of(scene.materials), "material", "particles.material", faults);
     bool const reads = p.source == ParticleSource::file || p.source == ParticleSource::checkpoint;
-    if (reads && !p.file.empty() && !std::filesystem::is_regular_file(path_of(scene, p.file))) {
+    if (reads && !p.file.empty() && !is_file(path_of(scene, p.file))) {
         faults.add("particles.file", fmt::format("there is no file {}", path_of(scene, p.file)));
     } else if (p.source == ParticleSource::file && !p.file.empty()) {
         return check_csv(scene, faults);

@@ -84,6 +84,9 @@ void check_materials(Scene const& scene, std::vector<int> const& grain_materials
             faults.add("materials." + m.name, "missing key density [kg/m3]: grains are made of this material");
         if (m.rigid) faults.add("materials." + m.name + ".rigid", "grains are made of this material and must deform");
     }
+    constexpr std::size_t most = 255; // a grain keeps the row of its material in a byte
+    if (scene.materials.size() > most)
+        faults.add("materials", fmt::format("are {}, more than the {} that a run can have", scene.materials.size(), most));
     check_interactions(scene, scene.interactions, "interactions", faults);
     std::set<int> walls;
     for (WallSettings const& wall : scene.walls)

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <vector>
 
 namespace arenite::scene {
@@ -23,7 +22,7 @@ void check_wall(Scene const& scene, WallSettings const& w, std::string const& pa
         faults.add(path + ".axis", "must not be [0, 0, 0]");
     if (w.shape == WallShape::box && faults.given(path + ".lower") && faults.given(path + ".upper"))
         check_region(w.box, path, faults);
-    if (w.shape == WallShape::mesh && !w.file.empty() && !std::filesystem::is_regular_file(path_of(scene, w.file)))
+    if (w.shape == WallShape::mesh && !w.file.empty() && !is_file(path_of(scene, w.file)))
         faults.add(path + ".file", fmt::format("there is no file {}", path_of(scene, w.file)));
 }
 

@@ -42,8 +42,15 @@ bool Faults::any_faulty(std::vector<std::string> const& paths) const
     return std::any_of(paths.begin(), paths.end(), [this](std::string const& path) { return faulty_.count(path) != 0; });
 }
 
+void Faults::add_value(std::string const& path, std::string const& message)
+{
+    add(path, message);
+    wrong_values_.insert(path);
+}
+
 void Faults::add(std::string const& path, std::string const& message)
 {
+    if (ignored_.count(path)) return;
     faulty_.insert(path);
     std::string enclosing = path;
     auto place = places_.find(enclosing);
@@ -60,7 +67,7 @@ void Faults::add(std::string const& path, std::string const& message)
 
 void Faults::add_at(Location const& location, std::string const& message)
 {
-    std::string const text = fmt::format("{}: {}", location.text, message);
+    std::string const text = printable(fmt::format("{}: {}", location.text, message));
     if (said_.insert(text).second) faults_.push_back({location.line, location.column, text});
 }
 
@@ -81,11 +88,24 @@ void Faults::throw_if_any() const
     throw InputError(text);
 }
 
+std::string printable(std::string const& text)
+{
+    std::string shown;
+    for (char const c : text) {
+        auto const byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) shown += fmt::format("\\u{:04x}", byte);
+        else shown += c;
+    }
+    return shown;
+}
+
 std::string nearest_name(std::string const& wrong, std::vector<std::string> const& names)
 {
     std::string nearest;
     std::size_t least = std::max<std::size_t>(2, wrong.size() / 2); // farther is another word, not a slip
     for (std::string const& name : names) {
+        std::size_t const longer = std::max(wrong.size(), name.size()), shorter = std::min(wrong.size(), name.size());
+        if (longer - shorter > least) continue; // so many letters at least are wrong
         std::size_t const distance = edit_distance(wrong, name);
         if (distance > least || (distance == least && !nearest.empty())) continue;
         least = distance;

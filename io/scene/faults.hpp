@@ -22,8 +22,13 @@ public:
     /// True if one of these keys already has a fault, so that what follows from it need not be said.
     bool any_faulty(std::vector<std::string> const& paths) const;
 
-    /// A fault of the key `path`: at its place, or at that of the innermost table that was written.
+    /// A fault of the key `path`: at its place, or at that of the innermost table that was written. After
+    /// values_are_read() a value that is wrong by itself gets no more: what it would have meant is not known.
     void add(std::string const& path, std::string const& message);
+
+    /// A value that is wrong by itself: type, range, word.
+    void add_value(std::string const& path, std::string const& message);
+    void values_are_read() { ignored_ = wrong_values_; }
 
     void add_at(Location const& location, std::string const& message);
 
@@ -44,9 +49,12 @@ private:
     };
     std::map<std::string, Place> places_;
     std::vector<Fault> faults_;
-    std::set<std::string> faulty_; // paths
+    std::set<std::string> faulty_, wrong_values_, ignored_; // paths
     std::set<std::string> said_; // one mistake seen from two sides is said once
 };
+
+/// Control characters as \u0000: a message is one line, and a zero would end it and all that follow.
+std::string printable(std::string const& text);
 
 /// The name nearest to `wrong` by edit distance, or "" if none is near.
 std::string nearest_name(std::string const& wrong, std::vector<std::string> const& names);

@@ -23,9 +23,9 @@ struct Reading {
 
     void wrong_type() const
     {
-        faults.add(path, "must be " + type_name(field) + (field.unit.empty() ? "" : " [" + field.unit + "]"));
+        fault("must be " + type_name(field) + (field.unit.empty() ? "" : " [" + field.unit + "]"));
     }
-    void fault(std::string const& message) const { faults.add(path, message); }
+    void fault(std::string const& message) const { faults.add_value(path, message); }
 };
 
 bool in_range(Reading const& r, Real value)
@@ -64,15 +64,15 @@ template <class Integer> bool read_integer(Reading const& r, SceneNode const& no
                        (node.kind == Kind::real && node.real == std::floor(node.real) && std::abs(node.real) < 1e15);
     if (!whole) return r.wrong_type(), false;
     long long const read = node.kind == Kind::integer ? node.integer : static_cast<long long>(node.real);
+    if (!in_range(r, static_cast<Real>(read))) return false;
     bool const fits = std::is_unsigned_v<Integer>
                           ? read >= 0
                           : read >= static_cast<long long>(std::numeric_limits<Integer>::min()) &&
                                 read <= static_cast<long long>(std::numeric_limits<Integer>::max());
     if (!fits) {
-        r.fault(std::is_unsigned_v<Integer> ? "must be >= 0" : "is too large");
+        r.fault(std::is_unsigned_v<Integer> ? "must be >= 0" : read < 0 ? "is too small" : "is too large");
         return false;
     }
-    if (!in_range(r, static_cast<Real>(read))) return false;
     value = static_cast<Integer>(read);
     return true;
 }
@@ -188,18 +188,27 @@ void read(Reading const& r, TableMap const& target)
     for (SceneEntry const& entry : r.node.entries) {
         std::string const path = r.path + "." + entry.key;
         r.faults.note(path, entry.node);
-        if (entry.node.kind != Kind::table) r.faults.add(path, "must be a table");
+        if (entry.node.kind != Kind::table) r.faults.add_value(path, "must be a table");
         else read_table(entry.node, target.create(entry.key), path, r.faults);
     }
 }
 
+/// True for keys whose value says which other keys have a meaning: words, names, flags.
+bool decides(Field const& field)
+{
+    return std::holds_alternative<Choice>(field.target) || std::holds_alternative<std::string*>(field.target) ||
+           std::holds_alternative<bool*>(field.target);
+}
+
+/// undecided: a key that decides has a wrong value, so nobody knows which others are needed or mean nothing.
 void read_field(SceneNode const& table, Field const& field, std::string const& path, std::string const& table_path,
-                Faults& faults)
+                bool undecided, Faults& faults)
 {
     SceneNode const* node = table.find(field.name);
-    bool const meant = !field.when || field.when();
+    bool const unclear = undecided && field.when;
+    bool const meant = unclear || !field.when || field.when();
     if (!node) {
-        if (!meant || !field.required) return;
+        if (!meant || unclear || !field.required) return;
         std::string const unit = field.unit.empty() ? "" : " [" + field.unit + "]";
         faults.add(table_path, fmt::format("missing key {}: {}{}, {}", field.name, type_name(field), unit, field.text));
         return;
@@ -217,9 +226,11 @@ void read_table(SceneNode const& table, Fields const& fields, std::string const&
     std::string const prefix = path.empty() ? "" : path + ".";
     if (path.empty()) faults.note("", table);
     std::vector<std::string> names;
+    bool undecided = false;
     for (Field const& field : fields) {
         names.push_back(field.name);
-        read_field(table, field, prefix + field.name, path, faults);
+        read_field(table, field, prefix + field.name, path, undecided, faults);
+        undecided = undecided || (decides(field) && faults.any_faulty({prefix + field.name}));
     }
     for (SceneEntry const& entry : table.entries) {
         bool known = false;

@@ -40,6 +40,21 @@ expect 2 "bad.toml:[0-9]*:[0-9]*: materials.sand.youngs_modulus" "$program" chec
 [ ! -e "$work/bad" ] || fault "a scene that cannot run left a folder"
 
 expect 0 "done" "$program" run "$scenes/collision.toml" -o "$work/collision"
+
+# Bad input leaves the folder of an earlier run as it is, to the byte, and says all faults at once.
+digest() { (cd "$1" && find . -type f -printf '%P %T@ ' -exec md5sum {} \; | sort | md5sum); }
+before=$(digest "$work/collision")
+sed -e 's/^poissons_ratio = .*/poissons_ratio = 0.7/; s/^duration = .*/duraton = 1/; s/^type = .*/type = 3/' \
+    -e 's/^density = .*/density = "heavy"/; s/^lower = .*/lower = [0, 0]/' "$scenes/column_collapse.toml" >"$work/faults.toml"
+for command in run check; do
+    expect 2 "faults.toml:[0-9]*:[0-9]*: materials.*poissons_ratio = 0.7: must be in (-1, 0.5)" "$program" $command "$work/faults.toml" \
+        $([ $command = check ] || echo -o "$work/collision")
+    for fault in 'duraton: unknown key; did you mean duration' 'density = "heavy": must be a number' 'lower = \[0, 0\]: must be a vector'; do
+        grep -q -- "faults.toml:[0-9]*:[0-9]*: .*$fault" "$work/out" || fault "$command does not say '$fault' with the others"
+    done
+done
+expect 2 "faults.toml" "$program" run "$work/faults.toml" -o "$work/collision" --resume
+[ "$before" = "$(digest "$work/collision")" ] || fault "a scene that cannot run touched the folder of an earlier run"
 speed() { column "$work/collision/probe-$1.csv" vx | sed -n "$2"; }
 before=$(awk -v a="$(speed left 1p)" -v b="$(speed right 1p)" 'BEGIN { print a - b }')
 after=$(awk -v a="$(speed left '$p')" -v b="$(speed right '$p')" 'BEGIN { print b - a }')

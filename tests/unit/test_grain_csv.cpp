@@ -95,6 +95,11 @@ TEST(GrainCsv, MaterialAndHeldAreChecked)
     EXPECT_TRUE(contains(fault("x,y,z,radius,held\n0,0,0,1,yes\n"), "held = yes: must be 0 or 1"));
 }
 
+TEST(GrainCsv, ADiameterThatIsTooLargeForANumberIsRefused)
+{
+    EXPECT_TRUE(contains(fault("x,y,z,radius\n0,0,0,1e308\n"), "radius = 1e308: is too large"));
+}
+
 TEST(GrainCsv, GarbageIsRefusedEarly)
 {
     EXPECT_TRUE(contains(fault(std::string(1 << 20, '\0')), "the line is longer than 4096 characters"));

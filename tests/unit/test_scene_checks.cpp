@@ -70,6 +70,26 @@ TEST(SceneChecks, Files)
     expect_fault({"walls.rod={name=\"rod\", type=\"mesh\", material=\"steel\", file=\"rod.stl\"}"}, "there is no file scenes/rod.stl");
 }
 
+TEST(SceneChecks, NamesThatNoFileCanHave)
+{
+    std::string const longer(5000, 'x');
+    expect_fault({"particles={source=\"file\", file=\"" + longer + "\", material=\"sand\"}"}, "there is no file");
+    expect_fault({"walls.rod={name=\"rod\", type=\"mesh\", material=\"steel\", file=\"" + longer + "\"}"}, "there is no file");
+    expect_fault({"particles={source=\"checkpoint\", file=\"a\\u0000b\", material=\"sand\"}"}, "there is no file");
+    EXPECT_THROW(read_scene(longer), InputError);
+}
+
+TEST(SceneChecks, AmountsThatNoComputerHolds)
+{
+    expect_fault({"fluid.cells=[100000, 100000, 1]"}, "are 1e+10 cells in all, more than the 1e+09");
+    expect_fault({"particles.distribution.count=3e9"}, "is too large");
+    expect_fault({"particles.distribution.count=0", "particles.distribution.solid_volume=1e9"}, "more than the 2147483647 that a run can have");
+    expect_fault({"particles.distribution.diameters=[1e-200, 1e-199]"}, "mean volume is not a number");
+    std::vector<std::string> materials;
+    for (int n = 0; n < 254; ++n) materials.push_back("materials.m" + std::to_string(n) + ".rigid=true");
+    expect_fault(materials, "materials: are 256, more than the 255");
+}
+
 TEST(SceneChecks, Groups)
 {
     expect_fault({"groups.pushed.held=true", "groups.pushed.velocity=[0, 0, 1]"}, "a grain is held or moved");

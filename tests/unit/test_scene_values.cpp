@@ -2,8 +2,24 @@
 // What one key may be: type, range, place, spelling.
 #include "scene_text.hpp"
 
+#include "io/scene_file.hpp"
+
 using namespace arenite;
 using namespace arenite::test;
+
+namespace {
+
+/// The paths of all values of a scene, as --set takes them.
+void collect_paths(SceneNode const& node, std::string const& path, std::vector<std::string>& paths)
+{
+    std::string const prefix = path.empty() ? "" : path + ".";
+    bool const list = !node.items.empty() && node.items[0].kind == SceneNode::Kind::table;
+    for (std::size_t i = 0; list && i < node.items.size(); ++i) collect_paths(node.items[i], prefix + std::to_string(i), paths);
+    for (SceneEntry const& entry : node.entries) collect_paths(entry.node, prefix + entry.key, paths);
+    if (!list && node.kind != SceneNode::Kind::table) paths.push_back(path);
+}
+
+} // namespace
 
 TEST(SceneValues, TheValidSceneHasNoFault) { EXPECT_EQ(faults_with({}), ""); }
 
@@ -95,6 +111,27 @@ TEST(SceneValues, OneMistakeIsSaidOnce)
               "--set stages.flow.duration=x: stages.flow.duration = \"x\": must be a number [s]");
     EXPECT_EQ(faults_with({"materials.sand.density=-5"}),
               "--set materials.sand.density=-5: materials.sand.density = -5: must be >= 0 kg/m3");
+}
+
+TEST(SceneValues, AWrongValueOfAWholeSceneDoesNotDoubtItsNeighbours)
+{
+    std::vector<std::string> paths;
+    collect_paths(parse_scene(valid_scene, "x.toml"), "", paths);
+    EXPECT_GT(paths.size(), 80u);
+    for (std::string const& path : paths) {
+        std::string const faults = faults_with({path + "=1979-05-27"}); // no key takes a date
+        EXPECT_TRUE(contains(faults, "--set " + path + "=1979-05-27: "));
+        EXPECT_EQ(faults.find("has no meaning here"), std::string::npos) << faults;
+        EXPECT_EQ(faults.find(": missing key youngs_modulus"), std::string::npos) << faults;
+        EXPECT_EQ(faults.find(": missing key point"), std::string::npos) << faults;
+    }
+}
+
+TEST(SceneValues, AControlCharacterDoesNotCutTheMessage)
+{
+    std::string const faults = faults_of_text("\"a\\u0000b\\nc\" = 1\ntitel = 2\n[stages]\n");
+    EXPECT_TRUE(contains(faults, "scenes/x.toml:1:1: a\\u0000b\\u000ac: unknown key"));
+    EXPECT_TRUE(contains(faults, "scenes/x.toml:2:1: titel: unknown key; did you mean title?"));
 }
 
 TEST(SceneValues, AllFaultsComeAtOnceInTheOrderOfTheFile)

@@ -1,0 +1,25 @@
+# Fuzz targets of the readers. With clang and ARENITE_FUZZ (preset fuzz) they are libFuzzer programs; otherwise a driver
+# of our own mutates the corpus. ctest runs each for seconds; tests/fuzz/run.sh runs them for as long as it is told.
+set(fuzz_targets scene grain_csv stl)
+if(TARGET arenite_hdf5)
+  list(APPEND fuzz_targets checkpoint)
+endif()
+set(fuzz_links_scene arenite_scene)
+set(fuzz_links_grain_csv arenite_scene)
+set(fuzz_links_stl arenite_stl)
+set(fuzz_links_checkpoint arenite_output)
+foreach(name ${fuzz_targets})
+  add_executable(fuzz_${name} fuzz/fuzz_${name}.cpp)
+  target_link_libraries(fuzz_${name} PRIVATE ${fuzz_links_${name}})
+  if(ARENITE_FUZZ)
+    target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+  else()
+    target_sources(fuzz_${name} PRIVATE fuzz/driver.cpp)
+  endif()
+  # libFuzzer writes what it finds into the first folder.
+  set(found ${CMAKE_CURRENT_BINARY_DIR}/fuzz_found/${name})
+  file(MAKE_DIRECTORY ${found})
+  add_test(NAME fuzz_${name}
+    COMMAND fuzz_${name} -runs=5000 -seed=1 ${found} ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus/${name})
+  set_tests_properties(fuzz_${name} PROPERTIES LABELS fuzz TIMEOUT 120 ENVIRONMENT "OMP_NUM_THREADS=1")
+endforeach()
