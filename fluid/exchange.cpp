@@ -106,6 +106,7 @@ template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange
     auto const position = particles.position, velocity = particles.velocity, coasting = particles.coasting;
     auto const motion = particles.motion;
     Real const factor = exchange.coarse_grain_factor, dt = exchange.time_step;
+    bool const has_history = coasting.extent(0) == position.extent(0);
     Kokkos::parallel_for(
         "evaluate_drag", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
             int const row = weights.bins.item(entry);
@@ -117,7 +118,7 @@ template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange
             Vec3 predicted = v;
             if (motion(row) == Motion::free) {
                 beta /= 1 + beta * dt / velocity(row, 3);
-                if (coasting(row, 3) > 0) predicted = 2 * v - vector_of(coasting, row);
+                if (has_history && coasting(row, 3) > 0) predicted = 2 * v - vector_of(coasting, row);
             }
             for (int axis = 0; axis < 3; ++axis) drag(entry, axis) = beta * predicted[axis];
             drag(entry, 3) = beta;
