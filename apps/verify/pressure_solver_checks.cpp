@@ -93,7 +93,7 @@ PressureSolve solve_pressure_problem(PressureProblem const& problem)
         residual += std::pow(rhs(c) - image(c), 2);
         size += std::pow(rhs(c), 2);
     }
-    return {report.iterations, std::sqrt(residual / size), report.converged};
+    return {report.iterations, size > 0 ? std::sqrt(residual / size) : std::sqrt(residual), report.converged};
 }
 
 Mobility uniform_mobility()

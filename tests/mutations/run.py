@@ -101,6 +101,7 @@ def first_failing_row(folder, groups):
         rows = re.findall(r"^(.*): .*, reference .*, error (.*) over (.*)$", result.stdout, re.MULTILINE)
         if rows:
             row, error, limit = rows[0]
+            row = row.replace("|", "\\|")  # a cell of the table
             return f"{group}: {row} (error {float(error):.2g}, limit {float(limit):.2g}; {len(rows)} rows)"
     return None
 
