@@ -65,6 +65,21 @@ std::vector<VerifyGroup> const& verify_groups()
     return groups;
 }
 
+namespace
+{
+
+/// A check that stops is a row that fails, and the others go on.
+std::vector<VerifyCase> rows_of(VerifyCheck check)
+{
+    try {
+        return check();
+    } catch (std::exception const& error) {
+        return {expect_true({"a check stopped", error.what(), "exception"}, false)};
+    }
+}
+
+} // namespace
+
 std::vector<VerifyCase> run_verification(std::string const& group)
 {
     std::vector<VerifyCase> cases;
@@ -73,7 +88,7 @@ std::vector<VerifyCase> run_verification(std::string const& group)
         if (!group.empty() && candidate.name != group) continue;
         found = true;
         for (VerifyCheck const check : candidate.checks)
-            for (VerifyCase row : check()) {
+            for (VerifyCase row : rows_of(check)) {
                 row.group = candidate.name;
                 cases.push_back(std::move(row));
             }

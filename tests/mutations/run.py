@@ -103,6 +103,8 @@ def first_failing_row(folder, groups):
             row, error, limit = rows[0]
             row = row.replace("|", "\\|")  # a cell of the table
             return f"{group}: {row} (error {float(error):.2g}, limit {float(limit):.2g}; {len(rows)} rows)"
+        if result.returncode != 0:
+            return f"{group}: stops"
     return None
 
 
