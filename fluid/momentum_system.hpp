@@ -75,6 +75,12 @@ KOKKOS_FORCEINLINE_FUNCTION bool beside_end(Grid const& grid, int axis, Node con
     return (index == 0 || index == last) && !grid.periodic[axis] && last > 0;
 }
 
+/// Whether any wall can weigh on the row; most rows lie inside, and their loops skip the question.
+KOKKOS_FORCEINLINE_FUNCTION bool beside_wall(Grid const& grid, int component, Node const& face)
+{
+    return beside_end(grid, first_transverse(component), face) || beside_end(grid, second_transverse(component), face);
+}
+
 /// Weight of a row beside an end of a transverse axis: 3/4 where the wall there holds the fluid, 1 where it is free.
 /// The parabola's slope over h, stick (9 u1 - u2 - 8 u_wall)/3, gives u2 the coefficient 1 + stick/3; the weight
 /// makes that 1 again, which is what u2's row has for u1.
@@ -88,8 +94,9 @@ KOKKOS_FORCEINLINE_FUNCTION Real wall_scale(MomentumSystem const& s, int compone
 /// Weight of a row, W: its control volume in cells times wall_scale of both transverse axes.
 KOKKOS_FORCEINLINE_FUNCTION Real row_weight(MomentumSystem const& s, int component, Node const& face)
 {
-    return face_weight(s.flow.grid, s.boundary, component, face) *
-           wall_scale(s, component, first_transverse(component), face) *
+    Real const weight = face_weight(s.flow.grid, s.boundary, component, face);
+    if (!beside_wall(s.flow.grid, component, face)) return weight;
+    return weight * wall_scale(s, component, first_transverse(component), face) *
            wall_scale(s, component, second_transverse(component), face);
 }
 
@@ -100,10 +107,17 @@ KOKKOS_FORCEINLINE_FUNCTION Real link_scale(MomentumSystem const& s, int compone
 {
     Real scale = 1;
     for (int other = 0; other < 3; ++other) {
-        if (other == axis || other == component || !beside_end(s.flow.grid, other, from)) continue; // `to`: the same layer
+        if (other == axis || other == component || !beside_end(s.flow.grid, other, from))
+            continue; // `to`: the same layer
         scale *= Real(0.5) * (wall_scale(s, component, other, from) + wall_scale(s, component, other, to));
     }
     return scale;
+}
+
+KOKKOS_FORCEINLINE_FUNCTION Real scale_of_link(MomentumSystem const& s, int component, int axis, Node const& face,
+                                               int by, bool beside)
+{
+    return beside ? link_scale(s, component, axis, face, neighbour(s.flow.grid, face, axis, by)) : Real(1);
 }
 
 /// What viscosity does along one axis, as coefficients of the two neighbours and of the row itself.
@@ -113,7 +127,8 @@ struct ViscousLink {
     Real wall_source[2] = {0, 0}; // wall * wall velocity, Pa/m
 };
 
-KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, int component, int axis, Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, int component, int axis, Node const& face,
+                                                     bool beside)
 {
     Grid const& grid = s.flow.grid;
     Real const per_square = s.flow.viscosity / (grid.spacing[axis] * grid.spacing[axis]);
@@ -123,8 +138,8 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
         int const side = boundary_side(grid, component, face);
         for (int upper = 0; upper < 2; ++upper)
             if (side != (upper ? 1 : -1))
-                link.coefficient[upper] = Real(4) / 3 * per_square *
-                                          link_scale(s, component, axis, face, neighbour(grid, face, axis, upper ? 1 : -1));
+                link.coefficient[upper] =
+                    Real(4) / 3 * per_square * scale_of_link(s, component, axis, face, upper ? 1 : -1, beside);
         return link;
     }
     Real const weight = face_weight(grid, s.boundary, component, face);
@@ -132,7 +147,7 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
         bool const at_boundary = !grid.periodic[axis] && index == (upper ? grid.cells[axis] - 1 : 0);
         if (!at_boundary) {
             link.coefficient[upper] =
-                weight * per_square * link_scale(s, component, axis, face, neighbour(grid, face, axis, upper ? 1 : -1));
+                weight * per_square * scale_of_link(s, component, axis, face, upper ? 1 : -1, beside);
             continue;
         }
         Real const n = mean_at_face(s.flow.porosity, component, face);
@@ -151,9 +166,10 @@ KOKKOS_FORCEINLINE_FUNCTION Real diffusion_at_face(MomentumSystem const& s, Fiel
                                                    Node const& face, Real source)
 {
     Real const here = at(u, face);
+    bool const beside = beside_wall(s.flow.grid, component, face);
     Real sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        ViscousLink const link = viscous_link(s, component, axis, face);
+        ViscousLink const link = viscous_link(s, component, axis, face, beside);
         for (int upper = 0; upper < 2; ++upper) {
             if (link.coefficient[upper] > 0)
                 sum += link.coefficient[upper] * (at(u, neighbour(s.flow.grid, face, axis, upper ? 1 : -1)) - here);
@@ -169,9 +185,10 @@ KOKKOS_INLINE_FUNCTION Real momentum_diagonal(MomentumSystem const& s, int compo
     Real const n = mean_at_face(s.flow.porosity, component, face);
     Real sum = row_weight(s, component, face) * inertia_and_drag(s, component, face) /
                (n * open_share(s.flow.grid, s.boundary, component, face));
+    bool const beside = beside_wall(s.flow.grid, component, face);
     for (int axis = 0; axis < 3; ++axis) {
         bool const self = s.flow.grid.periodic[axis] && s.flow.grid.cells[axis] == 1;
-        ViscousLink const link = viscous_link(s, component, axis, face);
+        ViscousLink const link = viscous_link(s, component, axis, face, beside);
         for (int upper = 0; upper < 2; ++upper) sum += (self ? 0 : link.coefficient[upper]) + link.wall[upper];
     }
     return sum;

@@ -58,7 +58,7 @@ FINDINGS = """
 | C2: d/x = 4 | 1e5 cells for one grain; d/x = 2 shows the same slip as 1 |
 | C6, C8 to C12, D16 to D20, G3, G5 | studies of scenes, not closed forms |
 | D15 | `verify_servo` in ctest |
-| H1 to H11, H13 to H19 | ctest: determinism, smoke, unit |
+| H1 to H11, H13 to H19 | hard cases, not closed forms: what is tested of them is in the other folders of `tests/` |
 """
 
 
@@ -113,7 +113,7 @@ def draw(rows):
     axes.set_yticks(range(len(shares)), list(shares))
     axes.set_xlabel("error / limit")
     figure.tight_layout()
-    figure.savefig(ROOT / "docs/verification_margins.png", dpi=110)
+    figure.savefig(ROOT / "docs/verification_margins.png", dpi=110, bbox_inches="tight")
     written.append(("verification_margins.png", "Error over limit of every row"))
     orders = [row for row in rows if "order" in row["quantity"]]
     figure, axes = plt.subplots(figsize=(8, 0.22 * len(orders) + 0.8))
@@ -123,7 +123,7 @@ def draw(rows):
     axes.set_xlabel("observed order (dot); expected, or the least allowed (bar)")
     axes.invert_yaxis()
     figure.tight_layout()
-    figure.savefig(ROOT / "docs/verification_orders.png", dpi=110)
+    figure.savefig(ROOT / "docs/verification_orders.png", dpi=110, bbox_inches="tight")
     written.append(("verification_orders.png", "Observed orders"))
     return written
 

@@ -248,11 +248,14 @@ std::vector<VerifyCase> check_coarse_speeds()
     // The speeds at which grains stick and bonds hold are those of the originals: what is left is too.
     std::vector<VerifyCase> rows;
     for (Real const k : {2.0, 4.0}) {
-        std::string const name = fmt::format("G1 pair of k = {}", k), source = "the same at k = 1: V_s = 0.84, V_hold = 0.59 m/s";
-        for (auto const& [law, speed, quantity] : {std::tuple{NormalLaw::jkr, 1.01 * stick_speed, "rebound speed at 1.01 V_s [m/s]"},
-                                                   {NormalLaw::jkr, 2 * stick_speed, "rebound speed at 2 V_s [m/s]"},
-                                                   {NormalLaw::modified_jkr, 1.2 * 0.5904034181, "speed of a bond opened at 1.2 V_hold [m/s]"}})
-            rows.push_back(compare({name, quantity, source}, speed_after(law, speed, 1e-3, k), speed_after(law, speed, 1e-3), 1e-10));
+        std::string const name = fmt::format("G1 pair of k = {}", k),
+                          source = "the same at k = 1: V_s = 0.84, V_hold = 0.59 m/s";
+        for (auto const& [law, speed, quantity] :
+             {std::tuple{NormalLaw::jkr, 1.01 * stick_speed, "rebound speed at 1.01 V_s [m/s]"},
+              {NormalLaw::jkr, 2 * stick_speed, "rebound speed at 2 V_s [m/s]"},
+              {NormalLaw::modified_jkr, 1.2 * 0.5904034181, "speed of a bond opened at 1.2 V_hold [m/s]"}})
+            rows.push_back(compare({name, quantity, source}, speed_after(law, speed, 1e-3, k),
+                                   speed_after(law, speed, 1e-3), 1e-10));
         rows.push_back(compare_error({name, "sticks: rebound speed at 0.99 V_s [m/s]", source},
                                      speed_after(NormalLaw::jkr, 0.99 * stick_speed, 1e-3, k), 0));
     }

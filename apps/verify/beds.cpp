@@ -18,8 +18,10 @@ std::vector<Real> site_diameters(BedSettings const& settings, int sites)
     CoarseGrainingSettings coarse;
     coarse.factor = settings.factor;
     std::vector<Real> diameters;
-    for (SizeClass const& size : make_size_classes(sand, coarse, 0)) diameters.insert(diameters.end(), size.count, size.diameter);
-    for (std::size_t i = diameters.size(); i > 1; --i) std::swap(diameters[i - 1], diameters[random_bits(11, i, 0) % i]);
+    for (SizeClass const& size : make_size_classes(sand, coarse, 0))
+        diameters.insert(diameters.end(), size.count, size.diameter);
+    for (std::size_t i = diameters.size(); i > 1; --i)
+        std::swap(diameters[i - 1], diameters[random_bits(11, i, 0) % i]);
     return diameters;
 }
 
@@ -44,12 +46,14 @@ void relax(std::vector<Grain>& grains, Vec3 const& box, Real factor)
     std::vector<Grain> const moved = grains_by_id(pack);
     for (std::size_t g = 0; g < grains.size(); ++g)
         for (int axis = 0; axis < 3; ++axis)
-            grains[g].position[axis] = moved[g].position[axis] - box[axis] * std::floor(moved[g].position[axis] / box[axis]);
+            grains[g].position[axis] =
+                moved[g].position[axis] - box[axis] * std::floor(moved[g].position[axis] / box[axis]);
 }
 
 void add_floor(std::vector<Grain>& grains, Real width_x, Real width_y, Real diameter)
 {
-    int const nx = static_cast<int>(std::ceil(width_x / diameter)), ny = static_cast<int>(std::ceil(width_y / diameter));
+    int const nx = static_cast<int>(std::ceil(width_x / diameter)),
+              ny = static_cast<int>(std::ceil(width_y / diameter));
     for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i) {
             Vec3 const place{(i + 0.5) * width_x / nx, (j + 0.5) * width_y / ny, -0.5 * diameter};
@@ -96,7 +100,8 @@ Bed make_bed(BedSettings const& settings)
     bed.pitch = std::cbrt(bed.solid_volume / bed.grains / (1 - settings.porosity));
     std::vector<Grain> grains;
     for (int g = 0; g < bed.grains; ++g) {
-        Vec3 const site{g % along[0] + Real(0.5), g / along[0] % along[1] + Real(0.5), g / (along[0] * along[1]) + Real(0.5)};
+        Vec3 const site{g % along[0] + Real(0.5), g / along[0] % along[1] + Real(0.5),
+                        g / (along[0] * along[1]) + Real(0.5)};
         grains.push_back(make_grain(g, bed.pitch * site, diameters[g]));
         if (settings.held) grains.back().motion = Motion::held;
     }
@@ -141,7 +146,8 @@ Real superficial_velocity(Bed const& bed)
     HostField const n = host_copy(bed.run.fluid.flow.porosity), w = host_copy(bed.run.fluid.flow.velocity[2]);
     Real sum = 0;
     for (int j = 0; j < grid.cells[1]; ++j)
-        for (int i = 0; i < grid.cells[0]; ++i) sum += (value_of(n, i, j, 0) + value_of(n, i, j, 1)) / 2 * value_of(w, i, j, 1);
+        for (int i = 0; i < grid.cells[0]; ++i)
+            sum += (value_of(n, i, j, 0) + value_of(n, i, j, 1)) / 2 * value_of(w, i, j, 1);
     return sum / (grid.cells[0] * grid.cells[1]);
 }
 

@@ -112,18 +112,18 @@ std::vector<VerifyCase> check_cavity()
     Real const reference[] = {-0.2140540, 0.1795876, -0.2538203};
     std::string const name = "F1 cavity, Re 100", ghia = "Ghia, Ghia & Shin 1982, table I",
                       other = "stream function-vorticity, Richardson";
-    std::vector<VerifyCase> rows{
-        compare_error({name + ", 56^2", "largest error of u at 15 points / lid speed", other},
-                      largest_error(fine.u, u_of_y), 5e-3),
-        compare_error({name + ", 56^2", "largest error of v at 15 points / lid speed", other},
-                      largest_error(fine.v, v_of_x), 5e-3),
-        compare_error({name + ", 56^2", "largest error of u at 15 points / lid speed", ghia},
-                      largest_error(fine.u, ghia_u_of_y), 5e-3)};
+    std::vector<VerifyCase> rows{compare_error({name + ", 56^2", "largest error of u at 15 points / lid speed", other},
+                                               largest_error(fine.u, u_of_y), 5e-3),
+                                 compare_error({name + ", 56^2", "largest error of v at 15 points / lid speed", other},
+                                               largest_error(fine.v, v_of_x), 5e-3),
+                                 compare_error({name + ", 56^2", "largest error of u at 15 points / lid speed", ghia},
+                                               largest_error(fine.u, ghia_u_of_y), 5e-3)};
     // Second order with a third-order part from the slope at the walls: 1.87 to 1.96 here.
     for (int e = 0; e < 3; ++e) {
         std::string const quantity = names[e];
         rows.push_back(at_least({name, "order of " + quantity + ", 28 to 56", other},
-                                observed_order(std::fabs(low[e] - reference[e]), std::fabs(high[e] - reference[e])), 1.8));
+                                observed_order(std::fabs(low[e] - reference[e]), std::fabs(high[e] - reference[e])),
+                                1.8));
         rows.push_back(compare({name + ", 28^2 and 56^2", quantity + ", Richardson", other}, (4 * high[e] - low[e]) / 3,
                                reference[e], 1e-3));
     }

@@ -81,8 +81,7 @@ std::vector<VerifyCase> check_brinkman()
                           fine = channel_errors(2 * bed.cells, 0.41, bed.drag);
         std::string const name = fmt::format("F3 Brinkman, n 0.41, B {:g}", bed.drag),
                           source = "closed form: n push/B (1 - cosh/cosh)";
-        rows.push_back(
-            compare_error({name + ", 8 cells per 1/lambda", "rms error / u_max", source}, coarse.rms, 1e-3));
+        rows.push_back(compare_error({name + ", 8 cells per 1/lambda", "rms error / u_max", source}, coarse.rms, 1e-3));
         rows.push_back(
             compare_error({name + ", 8 cells per 1/lambda", "largest error / u_max", source}, coarse.largest, 1e-3));
         rows.push_back(at_least({name, "order of the rms error, 8 to 16 cells", source},
@@ -96,9 +95,10 @@ std::vector<VerifyCase> check_brinkman()
     Real fall = 0;
     for (int j = 1; j < 16; ++j) fall = std::fmax(fall, value_of(u, 0, j - 1, 0) - value_of(u, 0, j, 0));
     std::string const name = "F3 Brinkman, n 0.41, B 1e7, unresolved";
-    rows.push_back(compare_error({name, "fall of u away from the wall / u_max", "closed form: monotone"}, fall / 4.1e-6,
-                                 1e-12));
-    rows.push_back(compare({name, "u in the middle [m/s]", "closed form: n push/B"}, value_of(u, 0, 16, 0), 4.1e-6, 1e-3));
+    rows.push_back(
+        compare_error({name, "fall of u away from the wall / u_max", "closed form: monotone"}, fall / 4.1e-6, 1e-12));
+    rows.push_back(
+        compare({name, "u in the middle [m/s]", "closed form: n push/B"}, value_of(u, 0, 16, 0), 4.1e-6, 1e-3));
     return rows;
 }
 

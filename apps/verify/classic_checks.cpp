@@ -23,14 +23,16 @@ std::vector<VerifyCase> check_bouncing()
         MaterialSettings const material = with(make_material(2600, 7e10, 0.3), e, 0);
         MaterialSettings rigid = material;
         rigid.rigid = true;
-        PairConstants const pair = make_pair(material, rigid, contact_settings(NormalLaw::hertz, DampingLaw::restitution));
+        PairConstants const pair =
+            make_pair(material, rigid, contact_settings(NormalLaw::hertz, DampingLaw::restitution));
         Real speed = std::sqrt(2 * g * drop);
         for (int bounce = 1; bounce <= 4; ++bounce) {
             SphereOnPlane sphere = make_sphere_on_plane(pair, material, radius);
             sphere.velocity = {0, 0, -speed};
             sphere.gravity = {0, 0, -g};
             constexpr int steps = 20000; // the dashpot is of first order in dt
-            run_impact(sphere, hertz_impact(sphere.scale, pair.effective_youngs_modulus, speed).duration / steps, 20 * steps);
+            run_impact(sphere, hertz_impact(sphere.scale, pair.effective_youngs_modulus, speed).duration / steps,
+                       20 * steps);
             speed = sphere.velocity.z;
             Real const apex = radius + speed * speed / (2 * g), hard = radius + drop * std::pow(e, 2 * bounce);
             rows.push_back(compare({fmt::format("D9 bouncing sphere, e = {}", e), fmt::format("apex {} [m]", bounce),
@@ -83,8 +85,8 @@ Real squeezed_error(Real dt, int steps)
     SystemSettings settings;
     settings.materials = {make_material(20000, 1e7, 0.3), make_material(10000, 1e7, 0.3)};
     settings.contact = contact_settings(NormalLaw::hertz);
-    settings.grains = {make_grain(0, {0, 0, 0}, d), make_grain(1, {0, 0, 0.95e-3}, d), make_grain(2, {0, 0, 1.87e-3}, d),
-                       make_grain(3, {0, 0, top}, d)};
+    settings.grains = {make_grain(0, {0, 0, 0}, d), make_grain(1, {0, 0, 0.95e-3}, d),
+                       make_grain(2, {0, 0, 1.87e-3}, d), make_grain(3, {0, 0, top}, d)};
     settings.grains[2].material = 1;
     for (int held : {0, 3}) settings.grains[held].motion = Motion::held;
     settings.box.upper = {d, d, 3e-3};
@@ -111,7 +113,8 @@ std::vector<VerifyCase> check_squeezed_pair()
 {
     // About three periods of 2e-4 s; Hertz contacts in place of MFIX's linear springs, which no law here has.
     Real const coarse = squeezed_error(2e-7, 3000), fine = squeezed_error(1e-7, 6000);
-    std::string const name = "D10 two spheres squeezed between held ones", source = "MFIX DEM03's set-up; Runge-Kutta, 20 times the steps";
+    std::string const name = "D10 two spheres squeezed between held ones",
+                      source = "MFIX DEM03's set-up; Runge-Kutta, 20 times the steps";
     return {compare_error({name, "error of the heights / diameter, dt 1e-7 s", source}, fine, 1e-5),
             compare({name, "order in time", "velocity Verlet: 2"}, std::log2(coarse / fine), 2, 0.1)};
 }
@@ -121,22 +124,25 @@ std::vector<VerifyCase> check_partial_slip()
     // The secant spring has the no-slip stiffness of Mindlin until it slides; Mindlin & Deresiewicz's contact slips
     // from its edge inwards, so that the model is stiffer: at 0.9 mu F_n by the ratio below. Stated, not a fault.
     MaterialSettings const material = with(sand(), 1, 0.2);
-    PairConstants const pair = make_pair(material, material, contact_settings(NormalLaw::hertz, DampingLaw::none, TangentialLaw::secant));
+    PairConstants const pair =
+        make_pair(material, material, contact_settings(NormalLaw::hertz, DampingLaw::none, TangentialLaw::secant));
     ContactScale<> const scale = contact_scale(material, 0.115e-3, 0.115e-3);
     constexpr Real overlap = 1e-7, share = 0.9;
     NormalResponse<> const normal = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
-    Real const stiffness = 8 * pair.effective_shear_modulus * normal.contact_radius, limit = pair.friction * normal.force;
+    Real const stiffness = 8 * pair.effective_shear_modulus * normal.contact_radius,
+               limit = pair.friction * normal.force;
     DrySand const law;
     ContactState<> state;
     state.previous_radius = normal.contact_radius;
     Real const move = share * limit / stiffness;
     Vec3 const force = law({{0, 0, 1}, overlap, {move, 0, 0}, scale}, pair, state, 1);
     Real const partial = 3 * limit / (2 * stiffness) * (1 - std::pow(1 - share, Real(2) / 3));
-    return {compare({"T2 sheared at constant F_n to 0.9 mu F_n", "tangential stiffness / 8 G* a", "Mindlin 1949: no slip"},
-                    -force.x / move / stiffness, 1, 1e-12),
-            compare({"T2 sheared at constant F_n to 0.9 mu F_n", "displacement / that with partial slip",
-                     "Mindlin & Deresiewicz 1953: the model is stiffer"},
-                    move / partial, share / (Real(1.5) * (1 - std::pow(1 - share, Real(2) / 3))), 1e-12)};
+    return {
+        compare({"T2 sheared at constant F_n to 0.9 mu F_n", "tangential stiffness / 8 G* a", "Mindlin 1949: no slip"},
+                -force.x / move / stiffness, 1, 1e-12),
+        compare({"T2 sheared at constant F_n to 0.9 mu F_n", "displacement / that with partial slip",
+                 "Mindlin & Deresiewicz 1953: the model is stiffer"},
+                move / partial, share / (Real(1.5) * (1 - std::pow(1 - share, Real(2) / 3))), 1e-12)};
 }
 
 std::vector<VerifyCase> check_exact_touch()
@@ -151,27 +157,35 @@ std::vector<VerifyCase> check_exact_touch()
         ContactState<> state;
         state.adhering = adhering;
         ContactGeometry<> const contact{{0, 0, 1}, overlap, {}, contact_scale(sand(), radius, radius)};
-        Vec3 const force = chosen == NormalLaw::hertz ? DrySand{}(contact, pair, state, 1e-9) : CementedSand{}(contact, pair, state, 1e-9);
+        Vec3 const force = chosen == NormalLaw::hertz ? DrySand{}(contact, pair, state, 1e-9)
+                                                      : CementedSand{}(contact, pair, state, 1e-9);
         return std::pair{force.z, static_cast<bool>(state.touching)};
     };
     MaterialSettings const material = sand();
     JkrPoints const points = jkr_points_of(make_pair(material, material, contact_settings(NormalLaw::jkr)), radius / 2);
     auto const after = [](Real x) { return std::nextafter(x, Real(1)); };
     auto const before = [](Real x) { return std::nextafter(x, Real(-1)); };
-    auto const row = [&](std::string const& quantity, bool holds) { rows.push_back(expect_true({"H12 contact at an exact point", quantity, source}, holds)); };
-    row("Hertz at overlap 0: does not touch, no force", respond(NormalLaw::hertz, 0, false) == std::pair{Real(0), false});
+    auto const row = [&](std::string const& quantity, bool holds) {
+        rows.push_back(expect_true({"H12 contact at an exact point", quantity, source}, holds));
+    };
+    row("Hertz at overlap 0: does not touch, no force",
+        respond(NormalLaw::hertz, 0, false) == std::pair{Real(0), false});
     row("Hertz 1 ulp above 0: touches, finite force", std::isfinite(respond(NormalLaw::hertz, after(0), false).first) &&
                                                           respond(NormalLaw::hertz, after(0), false).second);
     // The points themselves are rounded: three ulp either side are surely beyond.
     Real above = points.overlap_C, below = points.overlap_C;
     for (int n = 0; n < 3; ++n) above = after(above), below = before(below);
-    row("bond 3 ulp above delta_C: holds at -F_C", respond(NormalLaw::modified_jkr, above, true).second &&
-                                                       std::fabs(respond(NormalLaw::modified_jkr, above, true).first / points.pull_off_force + 1) < 1e-9);
-    row("bond 3 ulp below delta_C: broken, no force", respond(NormalLaw::modified_jkr, below, true) == std::pair{Real(0), false});
+    row("bond 3 ulp above delta_C: holds at -F_C",
+        respond(NormalLaw::modified_jkr, above, true).second &&
+            std::fabs(respond(NormalLaw::modified_jkr, above, true).first / points.pull_off_force + 1) < 1e-9);
+    row("bond 3 ulp below delta_C: broken, no force",
+        respond(NormalLaw::modified_jkr, below, true) == std::pair{Real(0), false});
     above = below = points.overlap_S;
     for (int n = 0; n < 3; ++n) above = after(above), below = before(below);
-    row("full JKR 3 ulp above delta_S: holds", respond(NormalLaw::jkr, above, true).second && std::isfinite(respond(NormalLaw::jkr, above, true).first));
-    row("full JKR 3 ulp below delta_S: snapped, no force", respond(NormalLaw::jkr, below, true) == std::pair{Real(0), false});
+    row("full JKR 3 ulp above delta_S: holds",
+        respond(NormalLaw::jkr, above, true).second && std::isfinite(respond(NormalLaw::jkr, above, true).first));
+    row("full JKR 3 ulp below delta_S: snapped, no force",
+        respond(NormalLaw::jkr, below, true) == std::pair{Real(0), false});
 
     SystemSettings settings; // equal centres: no normal, but a defined state without NaN
     settings.materials = {with(sand(), 0.8, 0.2)};
@@ -183,7 +197,8 @@ std::vector<VerifyCase> check_exact_touch()
     advance(system, 10);
     std::vector<Grain> const grains = grains_by_id(system);
     row("two grains at the same place, 10 steps: finite",
-        std::isfinite(norm(grains[0].position) + norm(grains[1].position) + norm(grains[0].velocity) + norm(grains[1].velocity)));
+        std::isfinite(norm(grains[0].position) + norm(grains[1].position) + norm(grains[0].velocity) +
+                      norm(grains[1].velocity)));
     return rows;
 }
 

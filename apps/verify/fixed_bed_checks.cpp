@@ -39,10 +39,10 @@ std::vector<VerifyCase> check_fixed_bed()
     };
     std::vector<VerifyCase> rows;
     for (Case const& c :
-         {Case{0.37, 1e-5, 222.98332}, Case{0.37, 1e-4, 2280.079768}, Case{0.37, 1e-3, 23300.7785}, Case{0.37, 1e-2, 225796.0446},
-          Case{0.41, 1e-5, 128.9001244}, Case{0.41, 1e-4, 1318.668271}, Case{0.41, 1e-3, 13560.85083},
-          Case{0.41, 1e-2, 135157.1882}, Case{0.45, 1e-5, 77.580814}, Case{0.45, 1e-4, 794.0028319},
-          Case{0.45, 1e-3, 8212.019907}, Case{0.45, 1e-2, 83959.78511}}) {
+         {Case{0.37, 1e-5, 222.98332}, Case{0.37, 1e-4, 2280.079768}, Case{0.37, 1e-3, 23300.7785},
+          Case{0.37, 1e-2, 225796.0446}, Case{0.41, 1e-5, 128.9001244}, Case{0.41, 1e-4, 1318.668271},
+          Case{0.41, 1e-3, 13560.85083}, Case{0.41, 1e-2, 135157.1882}, Case{0.45, 1e-5, 77.580814},
+          Case{0.45, 1e-4, 794.0028319}, Case{0.45, 1e-3, 8212.019907}, Case{0.45, 1e-2, 83959.78511}}) {
         Bed const bed = flow_through(sand_bed(c.porosity, c.superficial));
         rows.push_back(compare({fmt::format("C4 lattice of 0.23 mm, n {}, U {:g} m/s", c.porosity, c.superficial),
                                 "-dp/dz [Pa/m]", "Di Felice 1994 at the bed's n"},
@@ -50,7 +50,8 @@ std::vector<VerifyCase> check_fixed_bed()
         if (c.superficial == 1e-4) // what the grains feel is the whole gradient
             rows.push_back(compare({fmt::format("C4 lattice of 0.23 mm, n {}, U {:g} m/s", c.porosity, c.superficial),
                                     "force on the grains / volume [Pa/m]", "momentum balance"},
-                                   total_fluid_force(bed.run.grains.particles).z / (bed.area * bed.height), c.gradient, 1e-2));
+                                   total_fluid_force(bed.run.grains.particles).z / (bed.area * bed.height), c.gradient,
+                                   1e-2));
     }
     BedSettings gidaspow = sand_bed(0.41, 1e-4);
     gidaspow.drag = DragLaw::gidaspow;
@@ -131,8 +132,9 @@ std::vector<VerifyCase> check_paper_bed()
     Real const original = paper_velocity(1);
     rows.push_back(compare({"C4c random pack of the paper's sand, n 0.41", quantity, closed}, original, 1e-4, 2e-2));
     for (Real const k : {2.0, 4.0})
-        rows.push_back(compare({fmt::format("C4c, G4 random pack of the paper's sand, k = {}", k), quantity, "the same at k = 1"},
-                               paper_velocity(k), original, 1e-2));
+        rows.push_back(
+            compare({fmt::format("C4c, G4 random pack of the paper's sand, k = {}", k), quantity, "the same at k = 1"},
+                    paper_velocity(k), original, 1e-2));
     return rows;
 }
 
@@ -143,8 +145,9 @@ std::vector<VerifyCase> check_coarse_bed()
     for (Real const k : {2.0, 3.0}) {
         BedSettings coarse = sand_bed(0.41, 1e-3);
         coarse.factor = k;
-        rows.push_back(compare({fmt::format("G4 lattice of one size, k = {}", k), "-dp/dz at 1e-3 m/s [Pa/m]", "the same at k = 1"},
-                               pressure_gradient(flow_through(coarse)), original, 1e-2));
+        rows.push_back(compare(
+            {fmt::format("G4 lattice of one size, k = {}", k), "-dp/dz at 1e-3 m/s [Pa/m]", "the same at k = 1"},
+            pressure_gradient(flow_through(coarse)), original, 1e-2));
     }
     return rows;
 }
@@ -177,8 +180,9 @@ std::vector<VerifyCase> check_fluidisation()
     std::string const quantity = "U_mf, where the fluid carries the grains [m/s]";
     rows.push_back(compare({"C5 lattice of 0.23 mm, n 0.41", quantity, "Di Felice 1994"},
                            fluidisation_velocity(sand_bed(0.41, 0), 6.9e-4), 6.875026e-4, 3e-2));
-    rows.push_back(compare({"C5 lattice with the paper's sizes, n 0.41", quantity, "Di Felice 1994 over the sieve curve"},
-                           fluidisation_velocity(sizes, 7.2e-4), 7.248e-4, 3e-2));
+    rows.push_back(
+        compare({"C5 lattice with the paper's sizes, n 0.41", quantity, "Di Felice 1994 over the sieve curve"},
+                fluidisation_velocity(sizes, 7.2e-4), 7.248e-4, 3e-2));
     return rows;
 }
 
@@ -224,7 +228,8 @@ Residual momentum_residual(ConvectionScheme convection)
         Vec3 const before = fluid_totals(run.fluid.flow, run.fluid.solver.sums).momentum;
         run.exchange_step(dt);
         FluidTotals const after = fluid_totals(run.fluid.flow, run.fluid.solver.sums);
-        Vec3 const grains = total_fluid_force(run.grains.particles), walls = boundary_force(run.fluid.flow, run.fluid.solver),
+        Vec3 const grains = total_fluid_force(run.grains.particles),
+                   walls = boundary_force(run.fluid.flow, run.fluid.solver),
                    weight = after.volume * run.fluid.flow.body_force;
         Vec3 const left = (after.momentum - before) / dt + grains - weight - walls;
         Real const scale = norm(weight) + norm(walls) + norm(grains);
@@ -239,9 +244,10 @@ Residual momentum_residual(ConvectionScheme convection)
 
 std::vector<VerifyCase> check_momentum_balance()
 {
-    std::string const name = "C3 800 grains fly through water, 4 steps", quantity = "momentum of fluid + grains + walls, relative",
-                      source = "Newton's third law";
-    Residual const still = momentum_residual(ConvectionScheme::none), carried = momentum_residual(ConvectionScheme::limited);
+    std::string const name = "C3 800 grains fly through water, 4 steps",
+                      quantity = "momentum of fluid + grains + walls, relative", source = "Newton's third law";
+    Residual const still = momentum_residual(ConvectionScheme::none),
+                   carried = momentum_residual(ConvectionScheme::limited);
     return {compare_error({name, quantity, source}, still.all, 1e-12),
             compare_error({name + ", with convection", quantity + ", periodic axis", source}, carried.periodic, 1e-12),
             // The half cells at walls carry no convection of their own: n u^2 there against the weight of the water.

@@ -162,7 +162,8 @@ struct CriticalLattice {
 Real growth(CriticalLattice const& critical, Real multiple, int steps)
 {
     Lattice const& lattice = critical.lattice;
-    SystemSettings settings = make_lattice(lattice, lattice.diameter() - overlap_under(critical.contact_force, lattice));
+    SystemSettings settings =
+        make_lattice(lattice, lattice.diameter() - overlap_under(critical.contact_force, lattice));
     for (Grain& grain : settings.grains)
         for (int axis = 0; axis < 3; ++axis) { // noise
             grain.velocity[axis] = 1e-9 * (random_uniform(3, grain.id, axis) - 0.5);

@@ -88,20 +88,24 @@ void add_rows(std::vector<VerifyCase>& rows, Lattice const& lattice, StressPoint
     Real const spacing = static_cast<Real>(spacing_under(point.pressure, lattice));
     GrainSystem const system = make_system(make_lattice(lattice, spacing));
     Vec3 const stress = virial_stress(system);
-    std::string const name = fmt::format("G2, D14 {}, k = {}, {:g} MPa", lattice.face_centred ? "FCC isotropic" : "SC oedometer",
-                                         lattice.factor, point.pressure * 1e-6),
+    std::string const name = fmt::format("G2, D14 {}, k = {}, {:g} MPa",
+                                         lattice.face_centred ? "FCC isotropic" : "SC oedometer", lattice.factor,
+                                         point.pressure * 1e-6),
                       closed = "closed form: JKR at F/D^2, long double";
-    rows.push_back(compare({name, "overlap / k [m]", "lattice_stress.csv, 8 digits"}, (lattice.diameter() - spacing) / lattice.factor,
-                           point.overlap, 2e-8));
+    rows.push_back(compare({name, "overlap / k [m]", "lattice_stress.csv, 8 digits"},
+                           (lattice.diameter() - spacing) / lattice.factor, point.overlap, 2e-8));
     rows.push_back(compare({name, "virial stress zz [Pa]", closed}, stress.z, point.pressure, 1e-8));
     rows.push_back(compare({name, "virial stress xx [Pa]", closed}, stress.x, point.pressure, 1e-8));
     rows.push_back(compare({name, "-dE/dV [Pa]", closed}, energy_stress(lattice, spacing), point.pressure, 1e-8));
-    rows.push_back(compare({name, "force on a plate / area [Pa]", closed}, plate_stress(lattice, spacing), point.pressure, 1e-8));
+    rows.push_back(
+        compare({name, "force on a plate / area [Pa]", closed}, plate_stress(lattice, spacing), point.pressure, 1e-8));
     if (lattice.face_centred) return;
     constexpr Real h = 1e-5; // strain
-    auto const at = [&](Real strain) { return virial_stress(make_system(make_lattice(lattice, spacing, 1 + strain))).z; };
-    rows.push_back(compare({name, "modulus k/D [Pa]", "lattice_stress.csv, 6 digits"}, (at(-h) - at(h)) / (2 * h), point.modulus,
-                           1e-5));
+    auto const at = [&](Real strain) {
+        return virial_stress(make_system(make_lattice(lattice, spacing, 1 + strain))).z;
+    };
+    rows.push_back(compare({name, "modulus k/D [Pa]", "lattice_stress.csv, 6 digits"}, (at(-h) - at(h)) / (2 * h),
+                           point.modulus, 1e-5));
 }
 
 } // namespace
@@ -116,10 +120,12 @@ std::vector<VerifyCase> check_lattice_stress()
         cubic.cells = 4;
         face_centred.cells = 3;
         face_centred.face_centred = true;
-        for (StressPoint const& point :
-             {StressPoint{1e5, 2.9305225e-7, 4.03382e8}, {1e6, 6.9500137e-7, 6.09398e8}, {1e7, 2.8241812e-6, 1.23326e9}})
+        for (StressPoint const& point : {StressPoint{1e5, 2.9305225e-7, 4.03382e8},
+                                         {1e6, 6.9500137e-7, 6.09398e8},
+                                         {1e7, 2.8241812e-6, 1.23326e9}})
             add_rows(rows, cubic, point);
-        for (StressPoint const& point : {StressPoint{1e5, 2.5510573e-7, 0}, {1e6, 4.2448979e-7, 0}, {1e7, 1.4605041e-6, 0}})
+        for (StressPoint const& point :
+             {StressPoint{1e5, 2.5510573e-7, 0}, {1e6, 4.2448979e-7, 0}, {1e7, 1.4605041e-6, 0}})
             add_rows(rows, face_centred, point);
     }
     return rows;
@@ -157,11 +163,12 @@ Real critical_step(Real factor)
 std::vector<VerifyCase> check_coarse_step()
 {
     std::vector<VerifyCase> rows;
-    rows.push_back(compare({"G6 FCC, JKR, k = 1, 1 MPa", "critical step [s]", "Bloch eigenvalues with rotation"}, critical_step(1),
-                           1.12116e-7, 2e-2));
+    rows.push_back(compare({"G6 FCC, JKR, k = 1, 1 MPa", "critical step [s]", "Bloch eigenvalues with rotation"},
+                           critical_step(1), 1.12116e-7, 2e-2));
     for (Real const k : {2.0, 4.0}) {
         std::string const name = fmt::format("G6 FCC, JKR, k = {}, 1 MPa", k);
-        rows.push_back(compare({name, "critical step / that of k = 1", "closed form: k"}, critical_step(k) / critical_step(1), k, 1e-12));
+        rows.push_back(compare({name, "critical step / that of k = 1", "closed form: k"},
+                               critical_step(k) / critical_step(1), k, 1e-12));
         Lattice lattice;
         lattice.face_centred = true;
         lattice.law = NormalLaw::modified_jkr;

@@ -113,14 +113,15 @@ std::vector<VerifyCase> check_manufactured_flow()
         Real const least = central ? 1.9 : 1.5; // the limiter is first order at extrema
         rows.push_back(compare_error({name + ", 48^2", "rms error of u / 2 m/s", reference}, finest.velocity / 2,
                                      central ? 5e-3 : 1e-2));
-        rows.push_back(at_least({name, "order of u, 12 to 24", reference},
-                                observed_order(coarse.velocity, fine.velocity), least));
-        rows.push_back(at_least({name, "order of u, 24 to 48", reference},
-                                observed_order(fine.velocity, finest.velocity), least));
-        rows.push_back(at_least({name, "order of p, 24 to 48", reference},
-                                observed_order(fine.pressure, finest.pressure), 1.5));
+        rows.push_back(
+            at_least({name, "order of u, 12 to 24", reference}, observed_order(coarse.velocity, fine.velocity), least));
+        rows.push_back(
+            at_least({name, "order of u, 24 to 48", reference}, observed_order(fine.velocity, finest.velocity), least));
+        rows.push_back(
+            at_least({name, "order of p, 24 to 48", reference}, observed_order(fine.pressure, finest.pressure), 1.5));
         // Rounding of 1e-16 over a spacing of 1/48, velocities up to 2.
-        rows.push_back(compare_error({name + ", 48^2", "dn/dt + div(n u) [1/s]", "continuity"}, finest.continuity, 1e-11));
+        rows.push_back(
+            compare_error({name + ", 48^2", "dn/dt + div(n u) [1/s]", "continuity"}, finest.continuity, 1e-11));
     }
     return rows;
 }

@@ -67,13 +67,14 @@ std::vector<VerifyCase> check_bed_expansion()
     for (Case const& c : {Case{0.50, 2e-3, 0.5179615721, 1.0}, Case{0.62, 5e-3, 0.6386822563, 0.6}}) {
         Expanded const found = expand(c.start, c.superficial, c.time);
         std::string const name = fmt::format("C5b bed of 0.23 mm, U {:g} m/s, from n {}", c.superficial, c.start);
-        VerifyCase row = compare({name, "n from the grains' mean height (error: absolute)", "Di Felice 1994"}, found.porosity, c.porosity, 1);
+        VerifyCase row = compare({name, "n from the grains' mean height (error: absolute)", "Di Felice 1994"},
+                                 found.porosity, c.porosity, 1);
         row.error *= c.porosity;
         row.limit = 0.01;
         row.pass = row.error <= row.limit && found.converged;
         rows.push_back(row);
-        rows.push_back(compare({name, "C5 pressure drop / weight in water", "closed form: 1 above U_mf"}, found.pressure_drop, 1,
-                               5e-3));
+        rows.push_back(compare({name, "C5 pressure drop / weight in water", "closed form: 1 above U_mf"},
+                               found.pressure_drop, 1, 5e-3));
     }
     return rows;
 }
@@ -101,7 +102,8 @@ Real front(Bed const& bed)
     Grid const& grid = bed.run.fluid.flow.grid;
     auto const layer = [&](int k) {
         return (value_of(porosity, 0, 0, k) + value_of(porosity, 1, 0, k) + value_of(porosity, 0, 1, k) +
-                value_of(porosity, 1, 1, k)) / 4;
+                value_of(porosity, 1, 1, k)) /
+               4;
     };
     Real const mark = (1 + bed.settings.porosity) / 2;
     int k = grid.cells[2] - 1;
@@ -128,8 +130,8 @@ std::vector<VerifyCase> check_batch_settling()
         };
         run_for(3 * cell); // the kernel's width: the front has its own shape
         Real const start = front(bed), time = run_for(3 * cell);
-        rows.push_back(compare({fmt::format("C7 suspension of 0.23 mm in a closed column, n {}", c.porosity), "speed of the front [m/s]",
-                                "Di Felice 1994, zero net flux"},
+        rows.push_back(compare({fmt::format("C7 suspension of 0.23 mm in a closed column, n {}", c.porosity),
+                                "speed of the front [m/s]", "Di Felice 1994, zero net flux"},
                                (start - front(bed)) / time, c.speed, 3e-2));
         rows.push_back(expect_true({fmt::format("C7 suspension of 0.23 mm in a closed column, n {}", c.porosity),
                                     "every solve converged", "solver"},

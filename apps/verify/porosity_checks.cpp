@@ -123,8 +123,9 @@ std::vector<VerifyCase> check_moving_porosity()
         converged = converged && report.converged;
     }
     std::string const name = "F7 porosity waves, open top, 20 steps";
-    return {compare_error({name, "|sum dn/dt V + net outflow| / throughput", "closed form: 0 in every step"}, worst, 1e-12),
-            expect_true({name, "every solve converged", "solver"}, converged)};
+    return {
+        compare_error({name, "|sum dn/dt V + net outflow| / throughput", "closed form: 0 in every step"}, worst, 1e-12),
+        expect_true({name, "every solve converged", "solver"}, converged)};
 }
 
 namespace
@@ -183,7 +184,8 @@ std::vector<VerifyCase> check_holes()
         for (int j = 0; j < 12; ++j)
             for (int i = 0; i < 12; ++i) top += 0.41 * value_of(w, i, j, 6) * c.flow.grid.face_area(2);
         std::string const name = fmt::format("F8 two holes of 2.6 mm, dt {:g} s", dt);
-        rows.push_back(compare_error({name, "|flow / inflow - 1|, 10 steps", "closed form: 3.24e-8 m3/s"}, worst, 1e-12));
+        rows.push_back(
+            compare_error({name, "|flow / inflow - 1|, 10 steps", "closed form: 3.24e-8 m3/s"}, worst, 1e-12));
         rows.push_back(compare({name, "mean speed in the hole [m/s]", "closed form: half the inflow each"},
                                top / hole_area, 3.0513e-3, 1e-4));
     }

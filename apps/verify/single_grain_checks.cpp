@@ -47,8 +47,8 @@ Fall settle(FallSettings const& s)
     settings.coarse_grain_factor = s.factor;
     SystemSettings& system = settings.grains;
     // Off the middle by a tenth of a cell of the coarsest kind, a share of the box in any grid.
-    system.grains = {make_grain(0, {0.517 * size.x, 0.483 * size.y, 0.82 * size.z}, s.factor * s.diameter,
-                               {0, 0, -s.start})};
+    system.grains = {
+        make_grain(0, {0.517 * size.x, 0.483 * size.y, 0.82 * size.z}, s.factor * s.diameter, {0, 0, -s.start})};
     system.materials = {make_material(s.grain_density, 1e6, 0.3)};
     system.skin = s.diameter;
     constexpr int grain_steps = 5;
@@ -60,8 +60,8 @@ Fall settle(FallSettings const& s)
     for (int n = 0; n < static_cast<int>(s.times * s.steps); ++n) {
         run.step(dt);
         Real const after = -grains_by_id(run.grains)[0].velocity.z;
-        for (auto const& [mark, time] : {std::pair{(1 - std::exp(-1.)) * s.terminal, &fall.time_63},
-                                         std::pair{0.95 * s.terminal, &fall.time_95}})
+        for (auto const& [mark, time] :
+             {std::pair{(1 - std::exp(-1.)) * s.terminal, &fall.time_63}, std::pair{0.95 * s.terminal, &fall.time_95}})
             if (*time == 0 && after >= mark) *time = (n + (mark - before) / (after - before)) * dt;
         before = after;
     }
@@ -92,8 +92,9 @@ std::vector<VerifyCase> check_single_grain()
         Real diameter, terminal, time_63, time_95;
     };
     std::vector<VerifyCase> rows;
-    for (Case const& c : {Case{0.15e-3, 0.014423638, 0.00223001, 0.00640088}, Case{0.23e-3, 0.027330186, 0.00409423, 0.0115176},
-                          Case{0.355e-3, 0.048289111, 0.0069827, 0.0192032}, Case{0.46e-3, 0.065331051, 0.00925209, 0.0251034}})
+    for (Case const& c :
+         {Case{0.15e-3, 0.014423638, 0.00223001, 0.00640088}, Case{0.23e-3, 0.027330186, 0.00409423, 0.0115176},
+          Case{0.355e-3, 0.048289111, 0.0069827, 0.0192032}, Case{0.46e-3, 0.065331051, 0.00925209, 0.0251034}})
         for (Real const cell : {1.5e-3, 3 * c.diameter}) {
             if (cell != 1.5e-3 && c.diameter != 0.23e-3) continue;
             FallSettings settings = fall_of(c.diameter, c.terminal);
@@ -101,7 +102,8 @@ std::vector<VerifyCase> check_single_grain()
             settings.cell = cell;
             if (cell < 1.4e-3) settings.cells = {7, 7, 12}; // 21 diameters wide
             Fall const fall = settle(settings);
-            std::string const name = fmt::format("C1 {} mm sphere in water, cell {:g} mm", c.diameter * 1e3, cell * 1e3),
+            std::string const name =
+                                  fmt::format("C1 {} mm sphere in water, cell {:g} mm", c.diameter * 1e3, cell * 1e3),
                               source = "Di Felice 1994 with Dallavalle 1948";
             rows.push_back(compare({name, "slip at the end [m/s], at the n that the law sees", source}, fall.slip,
                                    fall.expected_slip, 5e-3));
@@ -110,8 +112,9 @@ std::vector<VerifyCase> check_single_grain()
             rows.push_back(compare({name, "time to 95 % of v_t [s]", source}, fall.time_95, c.time_95, 2e-2));
         }
     Fall const schiller = settle(fall_of(0.23e-3, 0.029683397, DragLaw::schiller_naumann));
-    rows.push_back(compare({"C1 0.23 mm sphere in water, cell 1.5 mm", "slip at the end [m/s]", "Schiller & Naumann 1935"},
-                           schiller.slip, 0.029683397, 5e-3));
+    rows.push_back(
+        compare({"C1 0.23 mm sphere in water, cell 1.5 mm", "slip at the end [m/s]", "Schiller & Naumann 1935"},
+                schiller.slip, 0.029683397, 5e-3));
     return rows;
 }
 
@@ -228,15 +231,17 @@ std::vector<VerifyCase> check_coarse_settling()
         settings.factor = k;
         settings.cell *= k; // the same picture k times as large: the same n
         Fall const coarse = settle(settings);
-        std::string const name = fmt::format("G7 grain of k = {} in cells k times as large", k), source = "the same at k = 1";
+        std::string const name = fmt::format("G7 grain of k = {} in cells k times as large", k),
+                          source = "the same at k = 1";
         rows.push_back(compare({name, "slip at the end [m/s]", source}, coarse.slip, one.slip, 1e-3));
         rows.push_back(compare({name, "time to 63.2 % of v_t [s]", source}, coarse.time_63, one.time_63, 1e-3));
     }
     FallSettings settings = fall_of(0.23e-3, terminal);
     settings.factor = 2; // in the same cells: n is lower
     Fall const coarse = settle(settings);
-    rows.push_back(compare({"G7 grain of k = 2 in the same cells", "slip [m/s] at the n that the law sees", "Di Felice 1994"},
-                           coarse.slip, coarse.expected_slip, 5e-3));
+    rows.push_back(
+        compare({"G7 grain of k = 2 in the same cells", "slip [m/s] at the n that the law sees", "Di Felice 1994"},
+                coarse.slip, coarse.expected_slip, 5e-3));
     return rows;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exchange of momentum closes to rounding, whatever the tolerances of the solvers.
-#include "fluid/flow_balance.hpp"
 #include "apps/verify/fluid_case.hpp"
+#include "fluid/flow_balance.hpp"
 
 #include <gtest/gtest.h>
 

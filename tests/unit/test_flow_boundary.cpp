@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "apps/verify/fluid_case.hpp"
 #include "core/error.hpp"
 #include "fluid/patch_area.hpp"
-#include "apps/verify/fluid_case.hpp"
 
 #include <gtest/gtest.h>
 
