@@ -31,11 +31,16 @@ say "Running $name"
 step "The message above says what stopped it; $output holds what was written until then." \
     "$arenite_build/apps/arenite" run "$scene" -o "$output" "$@"
 
+say "Writing the report"
+"$arenite_build/apps/arenite" report "$output" ||
+    echo "run.sh: the report could not be written (see above); the run itself is complete"
+
 say "Done: $output"
+[ ! -e "$output/report.html" ] || echo "  report.html    the pictures and tables of this run, in any browser"
+[ ! -e "$output/view.py" ] || echo "  view.py        opens the series in ParaView: paraview --script=$output/view.py"
 for view in particles.pvd fluid.pvd streamlines.pvd; do
     [ ! -e "$output/$view" ] || echo "  $view    open in ParaView (File > Open, then Apply)"
 done
 [ ! -e "$output/history.csv" ] || echo "  history.csv    one row per interval: porosity, wall forces, produced mass, ..."
 [ ! -e "$output/produced.csv" ] || echo "  produced.csv   $(($(wc -l <"$output/produced.csv") - 1)) grains that left through the outlet"
-[ ! -e "$output/report.html" ] || echo "  report.html    the pictures and tables of this run"
 [ ! -e "$output/summary.json" ] || echo "  summary.json   end state and timing of each stage"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The command line: arenite run | check | verify | bench | info.
+// The command line: arenite run | check | verify | bench | report | info.
 #include "apps/bench.hpp"
 #include "apps/check.hpp"
+#include "apps/report.hpp"
 #include "apps/run.hpp"
 #include "apps/verify/verify.hpp"
 #include "core/error.hpp"
@@ -25,6 +26,7 @@ struct Command {
     std::string verify_group;
     bool verify_json = false;
     BenchOptions bench;
+    ReportOptions report;
 };
 
 CLI::App* add_run(CLI::App& app, RunOptions& options)
@@ -67,6 +69,7 @@ int dispatch(CLI::App& app, Command& command)
     if (app.get_subcommand("check")->parsed()) return check_scene(command.check_scene, command.check_overrides);
     if (app.get_subcommand("verify")->parsed()) return verify(command.verify_group, command.verify_json);
     if (app.get_subcommand("bench")->parsed()) return run_bench(command.bench);
+    if (app.get_subcommand("report")->parsed()) return write_report(command.report);
     std::fputs(describe_build().c_str(), stdout);
     return 0;
 }
@@ -86,16 +89,17 @@ int main(int argc, char** argv)
     verify->add_option("group", command.verify_group, "only this group");
     verify->add_flag("--json", command.verify_json, "machine-readable output");
     add_bench(app, command.bench);
+    add_report(app, command.report);
     app.add_subcommand("info", "version, backends, devices, optional parts");
 
     try {
         refuse_ranks();
         // Unbound threads are the default; said aloud, Kokkos does not ask for it at every start.
         setenv("OMP_PROC_BIND", "false", 0);
-        Kokkos::initialize(argc, argv); // takes its own options (--kokkos-num-threads) away
+        if (!asks_for_report(argc, argv)) Kokkos::initialize(argc, argv); // takes its own options (--kokkos-num-threads) away
         app.parse(argc, argv);
         int const code = dispatch(app, command);
-        Kokkos::finalize();
+        if (Kokkos::is_initialized()) Kokkos::finalize();
         return code;
     } catch (CLI::ParseError const& error) {
         if (Kokkos::is_initialized()) Kokkos::finalize();

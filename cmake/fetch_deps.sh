@@ -3,6 +3,7 @@
 #   cmake/fetch_deps.sh          Kokkos and Kokkos Kernels
 #   cmake/fetch_deps.sh --all    and the header libraries, GoogleTest and Google Benchmark, so that the
 #                                tree can be copied to a machine without a network and be built there
+#   cmake/fetch_deps.sh --report a Python of its own for `arenite report`, with matplotlib and PyVista, in deps/python
 # What is there already is left alone. Needs Python 3.10 or newer with pip; --all also needs apt-get and dpkg-deb.
 set -euo pipefail
 
@@ -92,11 +93,31 @@ fetch_small_libraries() {
     rm -rf "$work"
 }
 
+# A virtual environment, so that neither Debian's Python nor the user's own is touched. Its packages are wheels in fixed
+# versions; pip's own sums, from the index, are what checks them.
+fetch_report_python() {
+    local requirements=$root/cmake/report_requirements.txt stamp=$deps/fetched-report-python
+    cmp -s "$requirements" "$stamp" && [ -x "$deps/python/bin/python3" ] && return
+    python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || fail "the report needs Python 3.11 or newer."
+    rm -rf "$stamp" "$deps/python"
+    mkdir -p "$deps"
+    echo "Fetching matplotlib and PyVista for the report (150 MB)"
+    python3 -m venv "$deps/python" >/dev/null ||
+        fail "python3 cannot make a virtual environment. Debian: apt-get install python3-venv"
+    "$deps/python/bin/python3" -m pip install --quiet --disable-pip-version-check --no-deps --only-binary :all: \
+        --requirement "$requirements" ||
+        fail "pip install failed (see above). Any Python 3.11 with matplotlib and PyVista will do: name it in ARENITE_PYTHON."
+    "$deps/python/bin/python3" -c 'import matplotlib, pyvista' ||
+        fail "the packages in $deps/python do not load (see above)."
+    cp "$requirements" "$stamp"
+}
+
 case ${1:-} in
     '') fetch_kokkos ;;
+    --report) fetch_report_python ;;
     --all)
         fetch_kokkos
         fetch_small_libraries
         ;;
-    *) fail "unknown argument '$1' (none, or --all)" ;;
+    *) fail "unknown argument '$1' (none, --all or --report)" ;;
 esac

@@ -6,6 +6,8 @@ arenite_build=$arenite_root/build/openmp
 
 arenite_packages=(g++ cmake ninja-build libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libvtk9-dev libgtest-dev
     libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
+# For the report: Python, and an OpenGL that draws without a display (its PyVista comes by pip, see fetch_deps.sh).
+arenite_packages+=(python3 python3-venv libegl1 libgl1 libgl1-mesa-dri libxrender1)
 
 say() { printf '\n== %s\n' "$*"; }
 
@@ -80,6 +82,9 @@ arenite_set_up() {
     if builds_kokkos; then
         step "With a Kokkos 4.5 or newer of your own, set Kokkos_ROOT to its prefix and run this again." cmake/fetch_deps.sh
     fi
+    # A run needs no report: without a Python for it everything else works, and it is tried again next time.
+    [ -n "${ARENITE_PYTHON:-}" ] || cmake/fetch_deps.sh --report ||
+        say "No Python for the report (see above): runs work, arenite report does not"
     if [ ! -e "$arenite_build/build.ninja" ]; then
         say "Configuring (preset openmp)"
         # A configure that stopped half-way may have remembered what it did not find.
