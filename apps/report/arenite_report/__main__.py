@@ -50,6 +50,12 @@ def run() -> int:
         return 1
     from . import figures_production, figures_speed
     from .report import Request, write_report
+    from .run_folder import PARTS, holds_a_run
+
+    strange = [str(folder) for folder in folders if not holds_a_run(folder)]
+    if strange:
+        print(f"nothing of a run in {', '.join(strange)}: none of {', '.join(PARTS)}", file=sys.stderr)
+        return 2
 
     begin = time.perf_counter()
     request = Request(folders, page_of(options), options.reference)

@@ -22,6 +22,9 @@ plt.rcParams.update({
 })
 
 
+DOTS = 160  # an inch
+
+
 @dataclass
 class Figure:
     name: str  # of its files: figure-10-produced-mass
@@ -30,6 +33,11 @@ class Figure:
     png: bytes
     header: list[str] = field(default_factory=list)
     rows: list[list[Any]] = field(default_factory=list)
+
+    @property
+    def inches(self) -> float:
+        """Width as drawn: letters are as large in every figure of the page."""
+        return int.from_bytes(self.png[16:20], "big") / DOTS
 
     def csv_text(self) -> str:
         out = io.StringIO()
@@ -48,7 +56,7 @@ def as_png(canvas: Canvas) -> bytes:
     out = io.BytesIO()
     canvas.get_layout_engine().execute(canvas)
     canvas.set_layout_engine("none")  # once is enough, and takes a third of the time
-    canvas.savefig(out, format="png", dpi=160, pil_kwargs={"compress_level": 3})
+    canvas.savefig(out, format="png", dpi=DOTS, pil_kwargs={"compress_level": 3})
     plt.close(canvas)
     return out.getvalue()
 

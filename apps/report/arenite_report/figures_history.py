@@ -12,8 +12,9 @@ from . import numbers, palette
 from .figure import Figure, as_png, below, columns_as_rows, panels
 from .run_folder import Run
 
-ENERGY_COLUMN = re.compile(r"_energy$|^work_|^loss_|^energy_|residual_energy")
-MOMENTUM_COLUMN = re.compile(r"^momentum_|^impulse_|_momentum$|_impulse$")
+ENERGY_COLUMN = re.compile(r"_energy$")
+WORK_COLUMN = re.compile(r"^work_|^loss_|^energy_")
+MOMENTUM_COLUMN = re.compile(r"momentum|impulse")
 SHARE_COLOURS = (*palette.RUNS, "#8c6d31", "#7f7f7f", "#5254a3", "#ad494a", "#637939")
 
 
@@ -49,31 +50,52 @@ def _mark_production(panel: plt.Axes, runs: list[Run]) -> None:
             panel.axvline((produced[0] - perforated[0]) * 1e3, color=palette.run_style(row)["color"], linestyle=":", linewidth=1)
 
 
-def shares(runs: list[Run], pattern: re.Pattern[str], name: str, title: str, unit: str, caption: str) -> Figure | None:
-    """A panel for each run: every column that the pattern finds, from the start of the perforation on."""
-    found = [(run, [column for column in run.history.names if pattern.search(column)]) for run in runs]
-    found = [(run, columns) for run, columns in found if columns and len(run.history)]
-    if not found:
+def shares(runs: list[Run], groups: dict[str, re.Pattern[str]], name: str, title: str, unit: str, caption: str) -> Figure | None:
+    """A row for each run, a panel for each group: the columns that its pattern finds, from the start of the perforation on."""
+    found = {run.name: {group: _moving_columns(run, pattern) for group, pattern in groups.items()} for run in runs}
+    shown = [run for run in runs if any(found[run.name].values())]
+    used = [group for group in groups if any(found[run.name][group] for run in shown)]
+    if not shown:
         return None
-    canvas, axes = panels(len(found), 1, 10.0, 4.2)
+    canvas, axes = panels(len(shown), len(used), 11.0, 4.4)
     rows = []
-    for (run, columns), panel in zip(found, axes):
-        time = run.history.numbers("time")
-        span = run.span_of(run.scene.perforation()["name"]) or run.span_of(run.scene.production()["name"])
-        shown = time >= span[0] if span else np.ones(time.size, dtype=bool)
-        for number, column in enumerate(columns):
-            value = run.history.numbers(column)
-            rows += [[run.name, column, float(t), float(v)] for t, v in zip(time, value) if np.isfinite(v)]
-            style = {"color": SHARE_COLOURS[number % len(SHARE_COLOURS)], "linestyle": "--" if column.startswith(("work_", "loss_")) else "-"}
-            panel.plot(time[shown] * 1e3, value[shown], label=column.replace("_", " "), **style)
-        panel.set_title(run.label)
+    for number, panel in enumerate(axes):
+        run, group = shown[number // len(used)], used[number % len(used)]
+        columns = found[run.name][group]
+        for column in columns:
+            rows += [[run.name, column, float(t), float(v)] for t, v in zip(run.history.numbers("time"), run.history.numbers(column))
+                     if np.isfinite(v)]
+        panel.set_title(group if len(shown) == 1 else f"{run.label}: {group}")
+        if columns:
+            _draw_shares(panel, run, columns, linear=group == "momentum")
         panel.set(xlabel="time [ms]", ylabel=unit)
-        panel.set_yscale("symlog", linthresh=_linear_range(run, columns, shown))
-        for _, begin in _stage_starts(run):
-            if shown.any() and begin > time[shown][0]:
-                panel.axvline(begin * 1e3, color="#9aa0a8", linestyle=":", linewidth=1)
-        panel.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return Figure(name, title, caption, as_png(canvas), ["run", "column", "time_s", f"value_{unit.strip('[]').replace(' ', '')}"], rows)
+
+
+def _moving_columns(run: Run, pattern: re.Pattern[str]) -> list[str]:
+    """Those that the pattern finds and that are not zero throughout."""
+    shown = _shown(run)
+    return [column for column in run.history.names if pattern.search(column) and np.nansum(np.abs(run.history.numbers(column)[shown])) > 0]
+
+
+def _shown(run: Run) -> np.ndarray:
+    """Rows from the start of the perforation on, of the production without one, or all."""
+    time = run.history.numbers("time")
+    span = run.span_of(run.scene.perforation()["name"]) or run.span_of(run.scene.production()["name"])
+    return time >= span[0] if span else np.ones(time.size, dtype=bool)
+
+
+def _draw_shares(panel: plt.Axes, run: Run, columns: list[str], linear: bool) -> None:
+    time, shown = run.history.numbers("time"), _shown(run)
+    for number, column in enumerate(columns):
+        panel.plot(time[shown] * 1e3, run.history.numbers(column)[shown], label=column.replace("_", " "), linewidth=1.4,
+                   color=SHARE_COLOURS[number % len(SHARE_COLOURS)], linestyle="-" if number < len(palette.RUNS) else "--")
+    if not linear:
+        panel.set_yscale("symlog", linthresh=_linear_range(run, columns, shown))
+    for _, begin in _stage_starts(run):
+        if shown.any() and begin > time[shown][0]:
+            panel.axvline(begin * 1e3, color="#9aa0a8", linestyle=":", linewidth=1)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, fontsize=8)
 
 
 def _linear_range(run: Run, columns: list[str], shown: np.ndarray) -> float:
@@ -89,13 +111,14 @@ def _stage_starts(run: Run) -> list[tuple[str, float]]:
 
 
 def energies(runs: list[Run]) -> Figure | None:
-    return shares(runs, ENERGY_COLUMN, "energy-shares", "Energy over time", "[J]",
-                  "Energies (full lines) and works since the start (dashed) as history.csv has them, from the start of the perforation; "
-                  "the axis is linear near zero and logarithmic beyond. Dotted: stages begin.")
+    return shares(runs, {"energies": ENERGY_COLUMN, "works and losses": WORK_COLUMN}, "energy-shares", "Energy over time", "[J]",
+                  "As history.csv has it, from the start of the perforation: energies of the moment, works and losses since the stage "
+                  "began. Linear near zero and logarithmic beyond; what stays zero is left out. Dotted: stages begin.")
 
 
 def momenta(runs: list[Run]) -> Figure | None:
-    return shares(runs, MOMENTUM_COLUMN, "momentum-shares", "Momentum over time", "[N s]", "As history.csv has it. Dotted: stages begin.")
+    return shares(runs, {"momentum": MOMENTUM_COLUMN}, "momentum-shares", "Momentum over time", "[kg m/s]",
+                  "Of grains and fluid, as history.csv has it. Dotted: stages begin.")
 
 
 def wall_load(runs: list[Run]) -> Figure | None:

@@ -24,7 +24,7 @@ nav { margin: .6rem 0 1rem; } nav a { margin-right: 1.1rem; text-decoration: non
 th, td { text-align: left; padding: .28rem .9rem .28rem .5rem; border-bottom: 1px solid var(--line); vertical-align: top; }
 thead th { border-bottom: 2px solid var(--line); white-space: nowrap; } tbody th { font-weight: 500; color: var(--soft); }
 table.headline { font-size: 1rem; background: var(--tint); } table.headline td { font-weight: 600; padding-right: 1.8rem; }
-figure { margin: 1.4rem 0 2rem; } figure img { max-width: 100%; height: auto; border: 1px solid var(--line); background: #fff; }
+figure { margin: 1.4rem 0 2rem; } figure img { height: auto; border: 1px solid var(--line); background: #fff; }
 figure h3 { margin: 0 0 .4rem; }
 .notes { background: var(--warn); padding: .6rem 1rem; border-radius: 4px; margin: 1rem 0; } .notes li, .notes p { color: var(--text); }
 details { margin: .5rem 0; } summary { cursor: pointer; color: var(--accent); }
@@ -44,8 +44,9 @@ def table(rows: Rows, kind: str = "") -> str:
 def figure(item: Figure, files: str) -> str:
     """The picture itself, and links to its PNG and CSV beside the report."""
     data = base64.b64encode(item.png).decode("ascii")
+    width = f"width: min(100%, {item.inches * 6.6:.1f}rem)"
     links = f'<a href="{escape(files)}/{item.name}.png">PNG</a> · <a href="{escape(files)}/{item.name}.csv">CSV</a>'
-    return (f'<figure id="{item.name}"><h3>{escape(item.title)}</h3><img alt="{escape(item.title)}" src="data:image/png;base64,{data}">'
+    return (f'<figure id="{item.name}"><h3>{escape(item.title)}</h3><img alt="{escape(item.title)}" style="{width}" src="data:image/png;base64,{data}">'
             f"<figcaption>{escape(item.caption)} {links}</figcaption></figure>\n")
 
 

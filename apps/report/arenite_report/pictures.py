@@ -120,22 +120,24 @@ class Pictures:
 
     def _flow_pictures(self, run: Run) -> list[dict[str, Any]]:
         span = run.span_of(run.scene.production()["name"])
-        if span is None:
-            return []
         pictures: dict[tuple[str, str], dict[str, Any]] = {}
         for series, kind in (("fluid", "fluid_speed"), ("particles", "grain_speed")):
-            frames = run.frames_in(series, span)
-            for moment in numbers.moments(self.runs)[0]:
-                frame = nearest(frames, span[0] + moment)
-                if frame is None or frame.time <= span[0]:
-                    continue
-                title = f"{(frame.time - span[0]) * 1e3:.4g} ms"
+            for frame in self._flow_frames(run, series, span):
+                title = f"{(frame.time - (span[0] if span else 0)) * 1e3:.4g} ms"
                 more = {series: str(frame.path)}
                 if series == "fluid":
                     lines = nearest(run.series["streamlines"], frame.time)
                     more["streamlines"] = str(lines.path) if lines and abs(lines.time - frame.time) < 1e-9 else None
                 pictures.setdefault((kind, title), self._picture(run, kind, frame, title, **more))
         return list(pictures.values())
+
+    def _flow_frames(self, run: Run, series: str, span: tuple[float, float] | None) -> list[Frame]:
+        """Nearest to the paper's times; without a production the first, the middle and the last state of all."""
+        if span is None:
+            frames = run.series[series]
+            return [frames[row] for row in sorted({0, len(frames) // 2, len(frames) - 1})] if frames else []
+        frames = [frame for frame in run.frames_in(series, span) if frame.time > span[0]]
+        return [frame for moment in numbers.moments(self.runs)[0] if (frame := nearest(frames, span[0] + moment))]
 
     # -- how they are set
 
@@ -148,28 +150,29 @@ class Pictures:
         if not rows:
             return None
         columns = max(len(pictures) for pictures in rows.values())
-        extents = [drawn[picture["name"]]["extent"] for pictures in rows.values() for picture in pictures]
-        tall = max((extent[3] - extent[2]) / (extent[1] - extent[0]) for extent in extents)
-        wide = min((11.0 - 1.4) / max(columns, 2) - 0.25, 4.6 / tall)  # in, of a picture
-        canvas, grid = plt.subplots(len(rows), columns, squeeze=False, sharey="row",
-                                    figsize=((wide + 0.25) * columns + 1.6, (wide * tall + 0.35) * len(rows) + 0.5))
+        aspects = [max(_aspect(drawn[picture["name"]]["extent"]) for picture in pictures) for pictures in rows.values()]
+        wide = min(9.2 / max(columns, 2), 4.6 / max(aspects))  # in, of a picture
+        size = ((wide + 0.25) * columns + 1.7, sum(wide * aspect + 0.35 for aspect in aspects) + 0.4)
+        canvas, grid = plt.subplots(len(rows), columns, squeeze=False, sharey="row", figsize=size, height_ratios=aspects)
         used = []
         labels = {run.name: run.label for run in self.runs}
         for (name, pictures), line in zip(rows.items(), grid):
             for axes in line[len(pictures):]:
                 axes.set_visible(False)
             for picture, axes in zip(pictures, line):
-                self._set(axes, picture, drawn[picture["name"]], f"{labels[name]}: {picture['title']}" if len(rows) > 1 else picture["title"])
+                self._set(axes, picture, drawn[picture["name"]])
                 used.append(axes)
+            if len(rows) > 1:
+                line[0].set_ylabel(f"{labels[name]}\n{line[0].get_ylabel()}")
         return canvas, rows, used
 
-    def _set(self, axes: plt.Axes, picture: dict[str, Any], result: dict[str, Any], title: str) -> None:
-        extent = [value * 1e3 for value in result["extent"]]
-        axes.imshow(plt.imread(result["file"]), extent=extent, interpolation="antialiased")
+    def _set(self, axes: plt.Axes, picture: dict[str, Any], result: dict[str, Any]) -> None:
         section = picture["section"]
-        axes.set_title(title)
-        axes.set(xlabel=f"{'xyz'[section['lateral']]} [mm]", ylabel=f"{'xyz'[section['up']]} [mm]")
-        axes.label_outer()
+        axes.imshow(plt.imread(result["file"]), extent=[value * 1e3 for value in result["extent"]], interpolation="antialiased")
+        axes.set_title(picture["title"])
+        axes.set_xlabel(f"{'xyz'[section['lateral']]} [mm]")
+        if axes.get_subplotspec().is_first_col():
+            axes.set_ylabel(f"{'xyz'[section['up']]} [mm]")
         axes.grid(False)
 
     def _rows_for_csv(self, rows: dict[str, list[dict[str, Any]]]) -> list[list[Any]]:
@@ -200,13 +203,19 @@ class Pictures:
         norm = palette.speed_norm(highest, palette.FLUID_DECADES if fluid else palette.GRAIN_DECADES)
         bar = canvas.colorbar(ScalarMappable(norm, colours), ax=used, fraction=0.05, pad=0.015, extend="both")
         bar.set_label("fluid speed [m/s]" if fluid else "grain speed [m/s]")
-        which = f"Times since the production began: the states nearest to {numbers.moments(self.runs)[1]}."
+        produced = any(run.span_of(run.scene.production()["name"]) for run in self.runs)
+        which = f"Times since the production began: the states nearest to {numbers.moments(self.runs)[1]}." if produced else \
+            "First, middle and last state of the run."
         if fluid:
             return Figure("figure-9-fluid", "Fluid speed and streamlines (paper's fig 9)",
                           f"In the plane through the axis, with streamlines. {which}",
                           as_png(canvas), ["run", "shown", "time_s", "state"], self._rows_for_csv(rows))
         return Figure("figure-9-grains", "Grain speed (paper's fig 9)", f"Half section through the axis. {which}",
                       as_png(canvas), ["run", "shown", "time_s", "state"], self._rows_for_csv(rows))
+
+
+def _aspect(extent: list[float]) -> float:
+    return (extent[3] - extent[2]) / (extent[1] - extent[0])
 
 
 def rod_shares(run: Run, frames: list[Frame]) -> list[float]:

@@ -76,7 +76,7 @@ def write_report(request: Request) -> list[str]:
                      "<h3>Error of each case (eq 41 with its square)</h3>" + errors if errors else "", drawn(classes)),
         page.section("perforation", "Perforation", of_view("figure-6")),
         page.section("flow", "Fluid and grains", of_view("figure-9")),
-        page.section("bonds", "Bonds, energy, load", drawn(history)),
+        page.section("bonds", "Bonds, energy, load", drawn(history[:2]), page.table(tables.energy_budget(runs)), drawn(history[2:])),
         page.section("margins", "Warnings and margins", page.table(tables.warnings(runs)),
                      "" if tables.warnings(runs) or not any(run.summary for run in runs) else "<p>No warnings.</p>",
                      "".join(per_run.format(run.name) + page.table(tables.margins(run)) for run in runs if run.summary), drawn(health)),

@@ -94,6 +94,13 @@ def read_runs(folders: list[Path]) -> list[Run]:
     return [read_run(folder, name) for folder, name in zip(folders, names)]
 
 
+PARTS = ("scene.toml", "summary.json", "history.csv", "produced.csv", "particles.pvd", "fluid.pvd")
+
+
+def holds_a_run(folder: Path) -> bool:
+    return any((folder / part).is_file() for part in PARTS)
+
+
 def read_run(folder: Path, name: str) -> Run:
     run = Run(folder, name)
     _read_scene(run)
@@ -136,7 +143,8 @@ def _read_series(run: Run, name: str) -> list[Frame]:
     try:
         root = xml.parse(path).getroot()
     except (OSError, xml.ParseError) as error:
-        if name in ("particles", "walls") or (run.scene.has_fluid and run.rows_of(run.scene.production()["name"]).size):
+        wet = any(stage.get("fluid") and run.rows_of(stage["name"]).size for stage in run.scene.stages)
+        if wet or (name == "particles" and run.scene.data.get("particles", {}).get("source") != "none"):
             run.missing.append(f"{path.name}: {_reason(error)}; pictures that show it are left out")
         return []
     frames = [Frame(float(item.get("timestep", "nan")), run.folder / item.get("file", "")) for item in root.iter("DataSet")]

@@ -8,6 +8,7 @@ from typing import Any, Callable
 import numpy as np
 
 from . import numbers
+from .figures_history import ENERGY_COLUMN, WORK_COLUMN
 from .numbers import Curve
 from .run_folder import Run
 
@@ -157,6 +158,33 @@ def other_values(run: Run) -> Rows:
     rows = [[str(stage.get("name", "")), name, f"{value:.6g}"] for stage in run.summary.get("stages", [])
             for name, value in stage.get("values", {}).items() if name not in shown and isinstance(value, (int, float))]
     return [["stage", "value", ""], *rows] if rows else []
+
+
+def energy_budget(runs: list[Run]) -> Rows:
+    """Who did the work during the production: change of each energy, each work and loss.
+
+    Works and losses count from the start of the stage, so that their last value is that of the whole production."""
+    columns: dict[str, None] = {}
+    for run in runs:
+        columns.update(dict.fromkeys(name for name in run.history.names if ENERGY_COLUMN.search(name) or WORK_COLUMN.search(name)))
+    changes = {run.name: {name: change for name in columns if (change := _change(run, name)) is not None} for run in runs}
+    known = [name for name in columns if any(values.get(name) for values in changes.values())]
+    if not any(WORK_COLUMN.search(name) for name in known):
+        return []
+    rows = [["during the production", *(run.name for run in runs)]]
+    for name in known:
+        title = ("change of " if ENERGY_COLUMN.search(name) else "") + name.replace("_", " ")
+        rows.append([title, *(_text(changes[run.name].get(name), "{:+.3e} J") for run in runs)])
+    return rows
+
+
+def _change(run: Run, column: str) -> float | None:
+    rows = run.rows_of(run.scene.production()["name"])
+    values = run.history.numbers(column)[rows] if rows.size else np.zeros(0)
+    values = values[np.isfinite(values)]
+    if values.size < 2:
+        return None
+    return float(values[-1] - values[0]) if ENERGY_COLUMN.search(column) else float(values[-1])
 
 
 def warnings(runs: list[Run]) -> Rows:
