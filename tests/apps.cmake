@@ -24,3 +24,7 @@ foreach(cases hard_grains hard_coupling)
   target_include_directories(${cases} PRIVATE ${PROJECT_SOURCE_DIR})
   set_tests_properties(${cases} PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 endforeach()
+
+add_test(NAME report
+  COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/smoke/report.sh $<TARGET_FILE:arenite> ${CMAKE_CURRENT_SOURCE_DIR}/scenes ${ARENITE_PYTHON})
+set_tests_properties(report PROPERTIES LABELS smoke TIMEOUT 600 SKIP_RETURN_CODE 77)
