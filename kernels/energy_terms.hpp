@@ -25,7 +25,7 @@ struct StoredEnergy {
     Real adhesive = 0;   // J, -2 gamma pi a^2 of the surfaces that stick
     Real tangential = 0; // J, 1/2 S_t xi^2
 
-    Real total() const { return elastic + adhesive + tangential; }
+    KOKKOS_FUNCTION Real total() const { return elastic + adhesive + tangential; }
 };
 
 /// Powers of forces that are not of contacts, W.
