@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -74,7 +75,7 @@ class Pictures:
             if process.returncode == 0 and result.is_file():
                 self.problem = ""
                 return json.loads(result.read_text(encoding="utf-8"))
-            lines = [line for line in errors.splitlines() if line.strip()]
+            lines = [line for line in re.sub(r"\x1b\[[0-9;]*m", "", errors).splitlines() if line.strip()]
             self.problem = f"PyVista could not draw without a display: {lines[-1] if lines else f'status {process.returncode}'}"
         return {}
 
