@@ -102,7 +102,7 @@ FlowReport report_step(Flow const& flow, FlowSolver& solver, Real dt)
 Flow make_flow(FluidSettings const& settings, Region const& box, bool with_grains, Vec3 gravity)
 {
     Flow flow;
-    flow.grid = make_flow_grid(settings, settings.box.value_or(box));
+    flow.grid = make_flow_grid(settings, box);
     set_periodic_axes(settings, flow.grid);
     flow.density = settings.density;
     flow.viscosity = settings.viscosity;
