@@ -27,16 +27,19 @@ enum class Work : int {
 };
 inline constexpr int work_count = 10;
 
+struct WorkArray : std::array<Real, work_count> {
+    Real& operator[](Work which) { return data()[static_cast<int>(which)]; }
+    Real operator[](Work which) const { return data()[static_cast<int>(which)]; }
+};
+
 struct EnergyAccount {
-    std::array<Real, work_count> power{}; // W, at the last step
-    std::array<Real, work_count> work{};  // J, since the stage began
+    WorkArray power{};                    // W, at the last step
+    WorkArray work{};                     // J, since the stage began
     Real adhesion = 0;                    // J by which stored energy jumped where contacts began or ceased to adhere
     Real removed = 0;                     // J that grains took with them when they left
     Real start = 0, start_tangential = 0; // J, total and of the tangential springs when the stage began
 
     View1<std::uint8_t> pair_adhered, wall_adhered; // scratch: the flags before the step's evaluation
-
-    Real of(Work which) const { return work[static_cast<int>(which)]; }
 };
 
 struct StageSetup;
@@ -44,27 +47,25 @@ struct RunState;
 
 /// The sheet of one moment, J.
 struct EnergySheet {
-    Real translation = 0, rotation = 0;
     StoredEnergy stored;
-    std::array<Real, work_count> work{};
+    WorkArray work{};
     Real loss_normal_damping = 0, loss_tangential = 0, loss_local_damping = 0;
     Real loss_adhesion = 0; // stored energy that vanished where contacts formed, snapped or broke; negative where it appeared
     Real removed = 0;
     Real residual = 0;      // change of all energies - works + losses + removed: 0 but for the error of integration
-
-    Real total() const { return translation + rotation + stored.total(); }
 };
 
 /// Opens the account of a stage whose first forces stand, or of a resumed one whose checkpoint held none.
 void open_account(StageSetup const& setup, RunState& state);
 
 /// Between the walls' move and the evaluation of the step's forces.
-void note_contacts(StageSetup const& setup, RunState& state);
+void begin_step(StageSetup const& setup, RunState& state);
 
-/// After the step's kick, before servos set the walls' next velocities.
+/// After the step's kick and before servos set the walls' next velocities.
 void add_step(StageSetup const& setup, RunState& state);
 
-EnergySheet energy_sheet(StageSetup const& setup, RunState& state);
+/// grains: of this moment, for their kinetic energy.
+EnergySheet energy_sheet(StageSetup const& setup, GrainReport const& grains, RunState const& state);
 
 /// Kinetic and stored energy now, J: its change over a removal of grains is what they took along.
 Real energy_now(StageSetup const& setup, RunState& state);

@@ -16,72 +16,79 @@ bool box_deforms(Scene const& scene)
     return std::any_of(scene.stages.begin(), scene.stages.end(), [](StageSettings const& stage) { return stage.box.has_value(); });
 }
 
-std::vector<std::string> balance_columns(bool fluid)
+struct NamedValue {
+    char const* name;
+    std::optional<Real> value;
+};
+
+/// One list for the names and for the values, here and below: of an empty sheet it gives the names.
+std::vector<NamedValue> balance(EnergySheet const& e, GrainReport const& grains)
 {
-    std::vector<std::string> names{"rotation_energy",     "elastic_energy", "adhesive_energy",     "tangential_energy",  "work_walls",
-                                   "work_box",            "work_gravity",   "work_drag",           "work_pressure",      "work_applied",
-                                   "work_held",           "loss_damping",   "loss_tangential",     "loss_adhesion",      "loss_local_damping",
-                                   "energy_removed",      "energy_residual", "momentum_x",          "momentum_y",         "momentum_z"};
-    if (fluid)
-        for (char const* name : {"fluid_energy", "fluid_momentum_x", "fluid_momentum_y", "fluid_momentum_z", "fluid_volume"})
-            names.push_back(name);
-    return names;
+    Vec3 const p = grains.momentum;
+    return {{"rotation_energy", grains.rotation},
+            {"elastic_energy", e.stored.elastic},
+            {"adhesive_energy", e.stored.adhesive},
+            {"tangential_energy", e.stored.tangential},
+            {"work_walls", e.work[Work::walls]},
+            {"work_box", e.work[Work::box]},
+            {"work_gravity", e.work[Work::gravity]},
+            {"work_drag", e.work[Work::drag]},
+            {"work_pressure", e.work[Work::pressure]},
+            {"work_applied", e.work[Work::applied]},
+            {"work_held", e.work[Work::held]},
+            {"loss_damping", e.loss_normal_damping},
+            {"loss_tangential", e.loss_tangential},
+            {"loss_adhesion", e.loss_adhesion},
+            {"loss_local_damping", e.loss_local_damping},
+            {"energy_removed", e.removed},
+            {"energy_residual", e.residual},
+            {"momentum_x", p.x},
+            {"momentum_y", p.y},
+            {"momentum_z", p.z}};
 }
 
-std::vector<std::optional<Real>> balance_row(Look const& look, bool fluid_columns, RunState& state)
+std::vector<NamedValue> fluid_balance(std::optional<FluidTotals> const& fluid)
 {
-    EnergySheet const& e = *look.energy;
-    auto const work = [&](Work which) { return e.work[static_cast<int>(which)]; };
-    Vec3 const p = look.grains.momentum;
-    std::vector<std::optional<Real>> row{e.rotation,
-                                         e.stored.elastic,
-                                         e.stored.adhesive,
-                                         e.stored.tangential,
-                                         work(Work::walls),
-                                         work(Work::box),
-                                         work(Work::gravity),
-                                         work(Work::drag),
-                                         work(Work::pressure),
-                                         work(Work::applied),
-                                         work(Work::held),
-                                         e.loss_normal_damping,
-                                         e.loss_tangential,
-                                         e.loss_adhesion,
-                                         e.loss_local_damping,
-                                         e.removed,
-                                         e.residual,
-                                         p.x,
-                                         p.y,
-                                         p.z};
-    if (fluid_columns && !state.fluid) row.resize(row.size() + 5);
-    if (!state.fluid) return row;
-    FluidTotals const fluid = fluid_totals(state.fluid->flow, state.sums);
-    row.insert(row.end(), {fluid.kinetic_energy, fluid.momentum.x, fluid.momentum.y, fluid.momentum.z, fluid.volume});
-    return row;
+    auto const value = [&](auto const& of) { return fluid ? std::optional<Real>(of(*fluid)) : std::nullopt; };
+    return {{"fluid_energy", value([](FluidTotals const& f) { return f.kinetic_energy; })},
+            {"fluid_momentum_x", value([](FluidTotals const& f) { return f.momentum.x; })},
+            {"fluid_momentum_y", value([](FluidTotals const& f) { return f.momentum.y; })},
+            {"fluid_momentum_z", value([](FluidTotals const& f) { return f.momentum.z; })},
+            {"fluid_volume", value([](FluidTotals const& f) { return f.volume; })}};
 }
+
+std::vector<NamedValue> box_values(Vec3 const& size, Vec3 const& stress)
+{
+    return {{"box_x", size.x}, {"box_y", size.y}, {"box_z", size.z}, {"stress_x", stress.x}, {"stress_y", stress.y}, {"stress_z", stress.z}};
+}
+
+void append(std::vector<NamedValue>& list, std::vector<NamedValue> const& more) { list.insert(list.end(), more.begin(), more.end()); }
 
 } // namespace
 
 std::vector<std::string> extra_columns(Scene const& scene)
 {
+    std::vector<NamedValue> columns;
+    if (box_deforms(scene)) append(columns, box_values({}, {}));
+    if (scene.output.energies) append(columns, balance({}, {}));
+    if (scene.output.energies && scene.fluid) append(columns, fluid_balance({}));
     std::vector<std::string> names;
-    if (box_deforms(scene)) names = {"box_x", "box_y", "box_z", "stress_x", "stress_y", "stress_z"};
-    if (!scene.output.energies) return names;
-    std::vector<std::string> const balance = balance_columns(scene.fluid.has_value());
-    names.insert(names.end(), balance.begin(), balance.end());
+    for (NamedValue const& column : columns) names.emplace_back(column.name);
     return names;
 }
 
 std::vector<std::optional<Real>> extra_values(Scene const& scene, Look const& look, RunState& state)
 {
-    std::vector<std::optional<Real>> values;
-    if (box_deforms(scene)) {
-        Vec3 const size = state.box.size(), stress = mean_stress(state.particles, state.box, state.contacts, state.sums);
-        values = {size.x, size.y, size.z, stress.x, stress.y, stress.z};
+    std::vector<NamedValue> columns;
+    if (box_deforms(scene)) append(columns, box_values(state.box.size(), mean_stress(state.particles, state.box, state.contacts, state.sums)));
+    if (look.energy) append(columns, balance(*look.energy, look.grains));
+    if (look.energy && scene.fluid) {
+        std::optional<FluidTotals> fluid;
+        if (state.fluid) fluid = fluid_totals(state.fluid->flow, state.sums);
+        append(columns, fluid_balance(fluid));
     }
-    if (!look.energy) return values;
-    std::vector<std::optional<Real>> const balance = balance_row(look, scene.fluid.has_value(), state);
-    values.insert(values.end(), balance.begin(), balance.end());
+    std::vector<std::optional<Real>> values;
+    for (NamedValue const& column : columns) values.push_back(column.value);
     return values;
 }
 

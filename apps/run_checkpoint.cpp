@@ -71,8 +71,8 @@ EnergyAccount load_energy(CheckpointReader const& in)
     EnergyAccount account;
     std::vector<Real> const power = in.array<Real>("energy/power"), work = in.array<Real>("energy/work"), sums = in.array<Real>("energy/sums");
     for (int n = 0; n < work_count; ++n) {
-        account.power[n] = power.at(n);
-        account.work[n] = work.at(n);
+        account.power.at(n) = power.at(n);
+        account.work.at(n) = work.at(n);
     }
     account.adhesion = sums.at(0);
     account.removed = sums.at(1);

@@ -50,16 +50,22 @@ void warn_of_fast_walls(StageSetup const& setup, RunState const& state, RunOutpu
     if (!message.empty()) output.warn("fast_wall", message);
 }
 
+/// The grains have drifted: time, walls and lists follow.
+void follow_drift(StageSetup& setup, RunState& state)
+{
+    ++state.clock.step;
+    ++state.clock.stage_step;
+    advance_walls(setup, state);
+    search_if_stale(setup, state);
+}
+
 /// From one moment at which somebody looks to the next.
 void advance_grains(StageSetup& setup, Cadence const& cadence, RunState& state)
 {
     StepSettings const& step = setup.step;
     drift(state.integrator, step, state.particles, state.contacts);
     for (;;) {
-        ++state.clock.step;
-        ++state.clock.stage_step;
-        advance_walls(setup, state);
-        search_if_stale(setup, state);
+        follow_drift(setup, state);
         setup.forces.evaluate(step.dt);
         drive_servos(setup, state);
         WallForceRows const wall_rows = force_rows(state.wall_contacts);
@@ -77,11 +83,8 @@ void advance_grains_in_balance(StageSetup& setup, Cadence const& cadence, RunSta
     StepSettings const& step = setup.step;
     for (;;) {
         drift(state.integrator, step, state.particles, state.contacts);
-        ++state.clock.step;
-        ++state.clock.stage_step;
-        advance_walls(setup, state);
-        search_if_stale(setup, state);
-        note_contacts(setup, state);
+        follow_drift(setup, state);
+        begin_step(setup, state);
         setup.forces.evaluate(step.dt);
         kick(state.integrator, step, state.particles, state.contacts, force_rows(state.wall_contacts));
         add_step(setup, state);

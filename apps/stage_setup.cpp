@@ -64,8 +64,7 @@ void steer_box(StageSetup const& setup, RunState& state)
         state.box.upper[axis] = state.box.lower[axis] + size[axis] * (1 + setup.step.dt * state.box.strain_rate[axis]);
     for (int axis = 0; axis < 3; ++axis)
         if (box.strain_rate[axis]) state.box.strain_rate[axis] = *box.strain_rate[axis];
-    bool const steers = box.stress[0] || box.stress[1] || box.stress[2];
-    if (!steers || state.clock.stage_step % interval != 0) return;
+    if (!box.holds_stress() || state.clock.stage_step % interval != 0) return;
     Vec3 const stress = mean_stress(state.particles, state.box, state.contacts, state.sums);
     for (int axis = 0; axis < 3; ++axis)
         if (box.stress[axis]) { // full rate at a stress that is off by its own size

@@ -64,7 +64,7 @@ Look const& StageWatch::look(StageSetup const& setup, RunState& state)
     look_.wall_overlap_ratio = largest_wall_overlap_ratio(state.particles, state.wall_contacts);
     Real const volume = volume_of(sample_region(state.walls, state.box));
     look_.energy.reset();
-    if (state.energy) look_.energy = energy_sheet(setup, state);
+    if (state.energy) look_.energy = energy_sheet(setup, look_.grains, state);
     look_.porosity.reset();
     if (state.particles.count > 0 && volume > 0) look_.porosity = 1 - look_.grains.volume / volume;
     highest_overlap_ratio_ = std::max({highest_overlap_ratio_, look_.contacts.highest_overlap_ratio, look_.wall_overlap_ratio});

@@ -55,4 +55,11 @@ struct ContactList {
     Real skin = 0;                   // m: pairs closer than skin are listed
 };
 
+/// From the second grain of a contact, or its image, to the first, m.
+KOKKOS_INLINE_FUNCTION Vec3 contact_offset(ContactList const& list, RecordView const& position, PeriodicBox const& box, int c)
+{
+    Vec3 const offset = vector_of(position, list.first(c)) - vector_of(position, list.second(c));
+    return list.periodic ? offset - box.image_shift(list.image(c)) : offset;
+}
+
 } // namespace arenite

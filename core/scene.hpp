@@ -254,6 +254,7 @@ struct BoxSettings {
     std::array<std::optional<Real>, 3> strain_rate; // 1/s, positive stretches
     std::array<std::optional<Real>, 3> stress;      // Pa, compression positive
     Real max_strain_rate = 0;                       // 1/s, for the axes under stress
+    bool holds_stress() const { return stress[0] || stress[1] || stress[2]; }
     bool operator==(BoxSettings const&) const = default;
 };
 

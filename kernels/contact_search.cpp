@@ -504,9 +504,7 @@ int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList c
         "form_bonds", RangePolicy(0, contacts.count),
         KOKKOS_LAMBDA(int c, int& sum) {
             int const i = list.first(c), j = list.second(c);
-            Vec3 d = vector_of(position, i) - vector_of(position, j);
-            if (list.periodic) d -= box.image_shift(list.image(c));
-            if (position(i, 3) + position(j, 3) - norm(d) >= 0) list.adhering(c) = 1;
+            if (position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, c)) >= 0) list.adhering(c) = 1;
             sum += list.adhering(c);
         },
         bonds);

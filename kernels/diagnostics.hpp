@@ -52,18 +52,17 @@ KOKKOS_FUNCTION inline Real jkr_energy_unit(ContactScale<> const& scale, PairCon
     return std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius * pair.length_factor * scale.cube_root_of_radius;
 }
 
-/// J at the force-free point B, above the state without contact: negative.
-KOKKOS_FUNCTION inline Real jkr_energy_at_B(ContactScale<> const& scale, PairConstants const& pair)
+/// J at the overlap, above the state without contact.
+KOKKOS_FUNCTION inline Real jkr_potential(Real overlap, ContactScale<> const& scale, PairConstants const& pair)
 {
-    constexpr Real y_B = 1.4422495703074083; // s_B = 9^(1/3), y_B = 3^(1/3)
-    return jkr_energy_unit(scale, pair) * jkr_work(y_B);
+    return jkr_energy_unit(scale, pair) * jkr_work(jkr_root(overlap / (pair.length_factor * scale.cube_root_of_radius)));
 }
 
-/// J at the overlap, above B.
+/// J at the overlap, above the force-free point B.
 KOKKOS_FUNCTION inline Real jkr_energy(Real overlap, ContactScale<> const& scale, PairConstants const& pair)
 {
-    Real const y = jkr_root(overlap / (pair.length_factor * scale.cube_root_of_radius));
-    return jkr_energy_unit(scale, pair) * jkr_work(y) - jkr_energy_at_B(scale, pair);
+    constexpr Real y_B = 1.4422495703074083; // s_B = 9^(1/3), y_B = 3^(1/3)
+    return jkr_potential(overlap, scale, pair) - jkr_energy_unit(scale, pair) * jkr_work(y_B);
 }
 
 template <class Law> struct ContactTerms {
@@ -74,24 +73,18 @@ template <class Law> struct ContactTerms {
     PeriodicBox box;
 
     struct Values {
-        Real elastic = 0, tangential = 0, overlap_ratio = 0, stiffness = 0;
+        Real elastic = 0, tangential = 0, overlap = 0, overlap_ratio = 0, stiffness = 0;
         bool touching = false, adhering = false;
     };
 
-    KOKKOS_FUNCTION Real overlap(int c) const
-    {
-        int const i = list.first(c), j = list.second(c);
-        Vec3 offset = vector_of(position, i) - vector_of(position, j);
-        if (list.periodic) offset -= box.image_shift(list.image(c));
-        return position(i, 3) + position(j, 3) - norm(offset);
-    }
     KOKKOS_FUNCTION Values values(int c) const
     {
         Values v;
         v.touching = list.touching(c);
         if (!v.touching) return v;
         int const i = list.first(c), j = list.second(c);
-        Real const overlap = this->overlap(c);
+        Real const overlap = position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, c));
+        v.overlap = overlap;
         PairConstants const pair = pairs(material(i), material(j));
         ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
         Real radius = Kokkos::sqrt(scale.effective_radius * Kokkos::fmax(overlap, Real(0)));

@@ -52,7 +52,7 @@ KOKKOS_FUNCTION inline StoredEnergy stored_energy(Real overlap, bool adheres, Co
     }
     Real const radius = jkr_response(overlap, scale, pair).contact_radius;
     energy.adhesive = -2 * std::numbers::pi_v<Real> * pair.surface_energy * radius * radius;
-    energy.elastic = jkr_energy(overlap, scale, pair) + jkr_energy_at_B(scale, pair) - energy.adhesive;
+    energy.elastic = jkr_potential(overlap, scale, pair) - energy.adhesive;
     return energy;
 }
 
@@ -63,9 +63,9 @@ struct ContactMotion {
     Real overlap = 0;
 };
 
-/// The part of Law that is along the normal, without its dashpot.
+/// terms[0], terms[1]: powers of the normal dashpot and of everything in the contact plane.
 template <class Law>
-KOKKOS_FUNCTION void add_contact_power(ContactMotion const& contact, ContactScale<> const& scale, PairConstants const& pair,
+KOKKOS_FUNCTION void split_contact_power(ContactMotion const& contact, ContactScale<> const& scale, PairConstants const& pair,
                                        bool adheres, Terms<6>& terms)
 {
     bool state = adheres;
@@ -98,8 +98,7 @@ template <class Law> struct PairPower {
         if constexpr (Law::adheres) now = list.adhering(c);
         if (!list.touching(c) && !before) return terms;
         int const i = list.first(c), j = list.second(c);
-        Vec3 offset = vector_of(position, i) - vector_of(position, j);
-        if (list.periodic) offset -= box.image_shift(list.image(c));
+        Vec3 const offset = contact_offset(list, position, box, c);
         Real const distance = norm(offset);
         PairConstants const& pair = pairs(material(i), material(j));
         ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
@@ -114,7 +113,7 @@ template <class Law> struct PairPower {
         contact.velocity = approach + stretch;
         Real const turning = -dot(moment, list.force(c, 3) * vector_of(spin, i) + list.force(c, 7) * vector_of(spin, j));
         contact.total = dot(contact.force, contact.velocity) + turning;
-        add_contact_power<Law>(contact, scale, pair, now, terms);
+        split_contact_power<Law>(contact, scale, pair, now, terms);
         terms[2] = -dot(contact.force, stretch);
         terms[4] = dot(contact.force, approach) + turning;
         return terms;
@@ -133,7 +132,7 @@ template <class Law> struct WallPower {
     KOKKOS_FUNCTION Terms<6> operator()(int c) const
     {
         Terms<6> terms{};
-        if (!list.touching(c)) return terms; // a wall's contact that snaps counts through its stored energy
+        if (!list.touching(c)) return terms; // where a wall's contact snapped its row is empty: that jump stays in the residual
         int const i = list.grain(c);
         WallBody const& body = walls.body(walls.wall_of_element(list.element(c)));
         PairConstants const& pair = pairs(material(i), body.material);
@@ -151,7 +150,7 @@ template <class Law> struct WallPower {
         bool now = false, before = false;
         if constexpr (Law::adheres) now = list.adhering(c);
         if constexpr (Law::adheres) before = adhered.extent(0) > 0 && adhered(c);
-        add_contact_power<Law>(contact, scale, pair, now, terms);
+        split_contact_power<Law>(contact, scale, pair, now, terms);
         terms[2] = -dot(contact.force, stretch);
         terms[3] = dot(contact.force, wall);
         terms[4] = dot(contact.force, vector_of(velocity, i)) + turning;
@@ -170,7 +169,7 @@ template <class Law> struct PairEnergy {
         ContactList const& list = contacts.list;
         PairConstants const& pair = contacts.pairs(contacts.material(list.first(c)), contacts.material(list.second(c)));
         ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
-        StoredEnergy const energy = stored_energy(contacts.overlap(c), v.adhering, scale, pair);
+        StoredEnergy const energy = stored_energy(v.overlap, v.adhering, scale, pair);
         return {{energy.elastic, energy.adhesive, v.tangential}};
     }
 };

@@ -12,8 +12,7 @@ struct VirialTerms {
     KOKKOS_FUNCTION Terms<3> operator()(int c) const
     {
         if (!list.touching(c)) return {{0, 0, 0}};
-        Vec3 branch = vector_of(position, list.first(c)) - vector_of(position, list.second(c));
-        if (list.periodic) branch -= box.image_shift(list.image(c));
+        Vec3 const branch = contact_offset(list, position, box, c);
         return {{list.force(c, 0) * branch.x, list.force(c, 1) * branch.y, list.force(c, 2) * branch.z}};
     }
 };

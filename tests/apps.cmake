@@ -14,6 +14,7 @@ add_test(NAME command_line
 set_tests_properties(command_line PROPERTIES LABELS smoke TIMEOUT 300)
 
 arenite_test(verify_balance verification verification/verify_balance.cpp LINK arenite_driver)
+target_include_directories(verify_balance PRIVATE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(verify_balance PRIVATE ARENITE_TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/scenes"
   ARENITE_SCENES="${PROJECT_SOURCE_DIR}/scenes")
 set_tests_properties(verify_balance PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")

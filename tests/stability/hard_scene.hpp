@@ -4,7 +4,7 @@
 
 #include "apps/run.hpp"
 #include "io/checkpoint_folder.hpp"
-#include "io/time_series.hpp"
+#include "tests/run_tables.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,36 +12,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace arenite::test {
-
-namespace fs = std::filesystem;
-using Row = std::map<std::string, std::string>;
-
-inline double number(Row const& row, std::string const& name)
-{
-    std::string const& cell = row.at(name);
-    return cell.empty() ? 0 : std::stod(cell);
-}
-
-inline std::vector<Row> read_table(fs::path const& path)
-{
-    std::vector<Row> rows;
-    std::ifstream file(path);
-    std::string line;
-    if (!std::getline(file, line)) return rows;
-    std::vector<std::string> const names = split_csv_line(line);
-    while (std::getline(file, line)) {
-        std::vector<std::string> const cells = split_csv_line(line);
-        Row row;
-        for (std::size_t n = 0; n < names.size(); ++n) row[names[n]] = cells.at(n);
-        rows.push_back(row);
-    }
-    return rows;
-}
 
 struct HardRun {
     fs::path folder;
@@ -95,13 +69,12 @@ inline HardRun run_hard(std::string const& scene, std::string const& grains = {}
     return run;
 }
 
-/// What went through the sheet of a stage until this row, J: energies, works and losses by size.
-inline double turnover(Row const& row)
+/// The turnover of the sheet and the energies themselves, by size, J.
+inline double energies_and_turnover(Row const& row)
 {
-    double sum = 0;
+    double sum = turnover(row);
     for (auto const& [name, cell] : row)
-        if (name.rfind("work_", 0) == 0 || name.rfind("loss_", 0) == 0 || (name.size() > 7 && name.substr(name.size() - 7) == "_energy"))
-            sum += std::fabs(number(row, name));
+        if (name.size() > 7 && name.substr(name.size() - 7) == "_energy") sum += std::fabs(number(row, name));
     return sum;
 }
 
@@ -117,7 +90,7 @@ inline void expect_sound(HardRun const& run, double balance)
         for (auto const& [name, cell] : row)
             if (name != "stage" && !cell.empty()) EXPECT_TRUE(std::isfinite(std::stod(cell))) << name << " at step " << row.at("step");
         EXPECT_EQ(number(row, "grains") + number(row, "produced_count"), grains) << "at step " << row.at("step");
-        largest = std::fmax(largest, turnover(row));
+        largest = std::fmax(largest, energies_and_turnover(row));
         EXPECT_LE(std::fabs(number(row, "energy_residual")), balance * largest) << "at step " << row.at("step");
     }
 }
