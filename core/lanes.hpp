@@ -35,6 +35,7 @@ KOKKOS_FORCEINLINE_FUNCTION Real smaller(Real a, Real b) { return a < b ? a : b;
 KOKKOS_FORCEINLINE_FUNCTION Real magnitude(Real a) { return Kokkos::fabs(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real square_root(Real a) { return Kokkos::sqrt(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Real a, int) { return a; }
+KOKKOS_FORCEINLINE_FUNCTION Real sum_of_lanes(Real a) { return a; }
 
 #ifdef ARENITE_HOST_LANES
 
@@ -59,6 +60,7 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes smaller(Lanes const& a, Lanes const& b) { retu
 KOKKOS_FORCEINLINE_FUNCTION Lanes magnitude(Lanes const& a) { return abs(a); }
 KOKKOS_FORCEINLINE_FUNCTION Lanes square_root(Lanes const& a) { return sqrt(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Lanes const& a, int n) { return a[n]; }
+KOKKOS_FORCEINLINE_FUNCTION Real sum_of_lanes(Lanes const& a) { return reduce(a); }
 
 #else
 
@@ -139,14 +141,14 @@ namespace lanes_detail {
 using Quad __attribute__((vector_size(32))) = Real;
 using Octet __attribute__((vector_size(64))) = Real;
 
-inline Quad load_quad(Real const* from)
+[[gnu::always_inline]] inline Quad load_quad(Real const* from)
 {
     Quad quad;
     std::memcpy(&quad, from, sizeof quad);
     return quad;
 }
 
-inline LaneRecords load_eight(Real const* records, int const* rows)
+[[gnu::always_inline]] inline LaneRecords load_eight(Real const* records, int const* rows)
 {
     auto const quad = [&](int n) { return load_quad(records + 4 * static_cast<std::ptrdiff_t>(rows[n])); };
     Octet row[4]; // of lanes n and n + 4
@@ -161,7 +163,7 @@ inline LaneRecords load_eight(Real const* records, int const* rows)
             Lanes(__builtin_shufflevector(yw01, yw23, 2, 3, 10, 11, 6, 7, 14, 15))};
 }
 
-inline void store_eight(LaneRecords const& records, Real* to, int stride)
+[[gnu::always_inline]] inline void store_eight(LaneRecords const& records, Real* to, int stride)
 {
     auto const x = static_cast<Octet>(records.xyz.x), y = static_cast<Octet>(records.xyz.y), z = static_cast<Octet>(records.xyz.z),
                w = static_cast<Octet>(records.w);

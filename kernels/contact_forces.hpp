@@ -6,10 +6,9 @@
 // spring, 64 B force, 10 B of indices and flags. A block of pairs that are only near reads 2 positions and 2 flags a pair.
 #pragma once
 
-#include "core/contact_list.hpp"
-#include "core/lanes.hpp"
 #include "core/particles.hpp"
 #include "kernels/contact/contact_law.hpp"
+#include "kernels/contact_lanes.hpp"
 
 namespace arenite {
 
@@ -28,19 +27,6 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
 
     using Numbers = Vector<Lanes>;
 
-    KOKKOS_FORCEINLINE_FUNCTION static LaneRecords records_of(RecordView const& view, int const* grains)
-    {
-        return load_records(view.data(), grains);
-    }
-
-    KOKKOS_FORCEINLINE_FUNCTION Numbers image_shifts(int c) const
-    {
-        Vec3 shift[lane_count];
-        for (int n = 0; n < lane_count; ++n) shift[n] = box.image_shift(list.image(c + n));
-        return {make_lanes([&](int n) { return shift[n].x; }), make_lanes([&](int n) { return shift[n].y; }),
-                make_lanes([&](int n) { return shift[n].z; })};
-    }
-
     KOKKOS_FORCEINLINE_FUNCTION void operator()(int block) const
     {
         int const c = block * lane_count;
@@ -48,7 +34,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         LaneRecords const at_i = records_of(position, i), at_j = records_of(position, j);
         Numbers offset = at_i.xyz - at_j.xyz;
         if constexpr (kind != BoxKind::closed)
-            if (list.periodic) offset -= image_shifts(c);
+            if (list.periodic) offset -= image_shifts(list, box, c);
         Lanes const ri = at_i.w, rj = at_j.w, square = dot(offset, offset), reach = ri + rj;
         LaneMask active = square < reach * reach;
         ContactState<Lanes> state;
@@ -108,40 +94,21 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         store(c, contact, force_of(contact, i, j, state), state, arm_i, arm_j);
     }
 
-    /// The law knows one pair of materials at a time.
     KOKKOS_FORCEINLINE_FUNCTION Numbers force_of(ContactGeometry<Lanes> const& contact, int const* i, int const* j,
                                      ContactState<Lanes>& state) const
     {
-        if constexpr (lane_count == 1) return law(contact, law.pairs(pair_index(i, j, 0)), state, dt);
-        else if (law.pairs.materials == 1) return law(contact, law.pairs(0), state, dt);
-        else return force_of_mixed(contact, i, j, state);
-    }
-
-    KOKKOS_FORCEINLINE_FUNCTION Numbers force_of_mixed(ContactGeometry<Lanes> const& contact, int const* i, int const* j,
-                                                       ContactState<Lanes>& state) const
-    {
-        int pair[lane_count];
-        for (int n = 0; n < lane_count; ++n) pair[n] = pair_index(i, j, n);
+        if (law.pairs.materials == 1) return law(contact, law.pairs(0), state, dt); // nothing to select
         Numbers force;
         ContactState<Lanes> const before = state;
-        for (int n = 0; n < lane_count; ++n) {
-            bool done = false;
-            for (int m = 0; m < n; ++m) done = done || pair[m] == pair[n];
-            if (done) continue;
-            LaneMask const same = make_lanes([&](int m) { return static_cast<Real>(pair[m] == pair[n]); }) > Lanes(0);
+        for_each_material_pair(law.pairs, material, i, j, [&](PairConstants const& pair, LaneMask const& same) {
             ContactState<Lanes> after = before;
-            force = select(same, law(contact, law.pairs(pair[n]), after, dt), force);
+            force = select(same, law(contact, pair, after, dt), force);
             state.spring = select(same, after.spring, state.spring);
             state.previous_radius = select(same, after.previous_radius, state.previous_radius);
             state.adhering = select(same, after.adhering, state.adhering);
             state.touching = select(same, after.touching, state.touching);
-        }
+        });
         return force;
-    }
-
-    KOKKOS_FORCEINLINE_FUNCTION int pair_index(int const* i, int const* j, int n) const
-    {
-        return law.pairs.materials == 1 ? 0 : law.pairs.index(material(i[n]), material(j[n]));
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void store(int c, ContactGeometry<Lanes> const& contact, Numbers const& force,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/reproducible_sum.hpp"
+#include "kernels/contact_lanes.hpp"
 #include "kernels/diagnostics.hpp"
 #include "kernels/wall_contacts.hpp"
 
@@ -56,23 +57,25 @@ KOKKOS_FUNCTION inline StoredEnergy stored_energy(Real overlap, bool adheres, Co
     return energy;
 }
 
-/// One contact as the sheet sees it: normal, force on the first body, power of the whole force.
-struct ContactMotion {
-    Vec3 normal, force, velocity; // velocity: of the first body's centre relative to the second's (or to the wall)
-    Real total = 0;               // W, with spins
-    Real overlap = 0;
+/// Contacts as the sheet sees them: normal, force on the first body, power of the whole force.
+template <class N = Real> struct ContactMotion {
+    Vector<N> normal, force, velocity; // velocity: of the first body's centre relative to the second's (or to the wall)
+    N total = 0;                       // W, with spins
+    N overlap = 0;
 };
 
-/// terms[0], terms[1]: powers of the normal dashpot and of everything in the contact plane.
-template <class Law>
-KOKKOS_FUNCTION void split_contact_power(ContactMotion const& contact, ContactScale<> const& scale, PairConstants const& pair,
-                                       bool adheres, Terms<6>& terms)
+/// W of the normal dashpot and of everything in the contact plane.
+template <class N> struct SplitPower {
+    N damping = 0, tangential = 0;
+};
+
+template <class Law, class N>
+KOKKOS_FORCEINLINE_FUNCTION SplitPower<N> split_contact_power(ContactMotion<N> const& contact, ContactScale<N> const& scale,
+                                                              PairConstants const& pair, MaskOf<N> adheres)
 {
-    bool state = adheres;
-    NormalResponse<> const response = typename Law::NormalPart{}(contact.overlap, scale, pair, state);
-    Real const along = dot(contact.force, contact.normal), approach = dot(contact.velocity, contact.normal);
-    terms[0] = (along - response.force) * approach;
-    terms[1] = contact.total - along * approach;
+    NormalResponse<N> const response = typename Law::NormalPart{}(contact.overlap, scale, pair, adheres);
+    N const along = dot(contact.force, contact.normal), approach = dot(contact.velocity, contact.normal);
+    return {(along - response.force) * approach, contact.total - along * approach};
 }
 
 /// Jump of the stored energy where a contact began (now) or ceased (before) to adhere.
@@ -83,6 +86,7 @@ KOKKOS_FUNCTION inline Real adhesion_jump(bool before, bool now, Real overlap, C
     return now ? jump : -jump;
 }
 
+/// Sums over the lane_count contacts of a block.
 template <class Law> struct PairPower {
     PairTable pairs;
     ContactList list;
@@ -90,33 +94,64 @@ template <class Law> struct PairPower {
     View1<std::uint8_t> material, adhered; // adhered: the flags before the last evaluation, or empty
     PeriodicBox box;
 
-    KOKKOS_FUNCTION Terms<6> operator()(int c) const
+    KOKKOS_FUNCTION Terms<6> operator()(int block) const
     {
         Terms<6> terms{};
-        bool const before = adhered.extent(0) > 0 && adhered(c);
-        bool now = false;
-        if constexpr (Law::adheres) now = list.adhering(c);
-        if (!list.touching(c) && !before) return terms;
-        int const i = list.first(c), j = list.second(c);
-        Vec3 const offset = contact_offset(list, position, box, c);
-        Real const distance = norm(offset);
-        PairConstants const& pair = pairs(material(i), material(j));
-        ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
-        ContactMotion contact;
-        contact.overlap = position(i, 3) + position(j, 3) - distance;
-        if constexpr (Law::adheres) terms[5] = adhesion_jump(before, now, contact.overlap, scale, pair);
-        if (!list.touching(c) || !(distance > 0)) return terms;
-        contact.normal = offset / distance;
-        contact.force = {list.force(c, 0), list.force(c, 1), list.force(c, 2)};
-        Vec3 const moment{list.force(c, 4), list.force(c, 5), list.force(c, 6)}; // n x F
-        Vec3 const approach = vector_of(velocity, i) - vector_of(velocity, j), stretch = box.stretch_velocity(offset);
+        int const c = block * lane_count;
+        if constexpr (Law::adheres)
+            if (adhered.extent(0) > 0) terms[5] = adhesion_jumps(c);
+        LaneMask touching = load_flags(&list.touching(c));
+        if (!any(touching)) return terms;
+        int const *const i = &list.first(c), *const j = &list.second(c);
+        LaneRecords const at_i = records_of(position, i), at_j = records_of(position, j);
+        Vector<Lanes> offset = at_i.xyz - at_j.xyz;
+        if (list.periodic) offset -= image_shifts(list, box, c);
+        Lanes const distance = square_root(dot(offset, offset));
+        touching = touching && distance > Lanes(0);
+
+        int force_rows[lane_count], moment_rows[lane_count];
+        for (int n = 0; n < lane_count; ++n) moment_rows[n] = (force_rows[n] = 2 * (c + n)) + 1;
+        LaneRecords const force = load_records(list.force.data(), force_rows);   // on i, arm of i
+        LaneRecords const moment = load_records(list.force.data(), moment_rows); // n x F, arm of j
+        ContactMotion<Lanes> contact;
+        contact.overlap = at_i.w + at_j.w - distance;
+        contact.normal = select(touching, 1 / distance, Lanes(0)) * offset;
+        contact.force = force.xyz;
+        Vector<Lanes> const approach = records_of(velocity, i).xyz - records_of(velocity, j).xyz, stretch = box.stretch_velocity(offset);
         contact.velocity = approach + stretch;
-        Real const turning = -dot(moment, list.force(c, 3) * vector_of(spin, i) + list.force(c, 7) * vector_of(spin, j));
+        Lanes const turning = -dot(moment.xyz, force.w * records_of(spin, i).xyz + moment.w * records_of(spin, j).xyz);
         contact.total = dot(contact.force, contact.velocity) + turning;
-        split_contact_power<Law>(contact, scale, pair, now, terms);
-        terms[2] = -dot(contact.force, stretch);
-        terms[4] = dot(contact.force, approach) + turning;
+
+        ContactScale<Lanes> const scale{load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), load_lanes(&list.scale(c, 2))};
+        LaneMask adheres(false);
+        if constexpr (Law::adheres) adheres = load_flags(&list.adhering(c));
+        SplitPower<Lanes> split;
+        for_each_material_pair(pairs, material, i, j, [&](PairConstants const& pair, LaneMask const& same) {
+            SplitPower<Lanes> const power = split_contact_power<Law>(contact, scale, pair, adheres);
+            split.damping = select(same, power.damping, split.damping);
+            split.tangential = select(same, power.tangential, split.tangential);
+        });
+        auto const sum = [&](Lanes const& power) { return sum_of_lanes(select(touching, power, Lanes(0))); };
+        terms[0] = sum(split.damping);
+        terms[1] = sum(split.tangential);
+        if (box.deforms()) terms[2] = sum(-dot(contact.force, stretch));
+        terms[4] = sum(dot(contact.force, approach) + turning);
         return terms;
+    }
+
+    /// Rare, so contact by contact.
+    KOKKOS_FUNCTION Real adhesion_jumps(int c) const
+    {
+        Real sum = 0;
+        if (!any(load_flags(&adhered(c)) != load_flags(&list.adhering(c)))) return sum;
+        for (int n = c; n < c + lane_count && n < list.count; ++n) {
+            if (adhered(n) == list.adhering(n)) continue;
+            int const i = list.first(n), j = list.second(n);
+            Real const overlap = position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, n));
+            sum += adhesion_jump(adhered(n), list.adhering(n), overlap, {list.scale(n, 0), list.scale(n, 1), list.scale(n, 2)},
+                                 pairs(material(i), material(j)));
+        }
+        return sum;
     }
 };
 
@@ -138,7 +173,7 @@ template <class Law> struct WallPower {
         PairConstants const& pair = pairs(material(i), body.material);
         Real const radius = position(i, 3), arm = list.force(c, 3);
         ContactScale<> const scale{radius, velocity(i, 3), Kokkos::cbrt(radius)};
-        ContactMotion contact;
+        ContactMotion<> contact;
         contact.overlap = radius - arm;
         contact.normal = vector_of(list.normal, c);
         contact.force = {list.force(c, 0), list.force(c, 1), list.force(c, 2)};
@@ -150,7 +185,9 @@ template <class Law> struct WallPower {
         bool now = false, before = false;
         if constexpr (Law::adheres) now = list.adhering(c);
         if constexpr (Law::adheres) before = adhered.extent(0) > 0 && adhered(c);
-        split_contact_power<Law>(contact, scale, pair, now, terms);
+        SplitPower<Real> const split = split_contact_power<Law>(contact, scale, pair, now);
+        terms[0] = split.damping;
+        terms[1] = split.tangential;
         terms[2] = -dot(contact.force, stretch);
         terms[3] = dot(contact.force, wall);
         terms[4] = dot(contact.force, vector_of(velocity, i)) + turning;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// lane_count contacts as a kernel over contacts sees them: their grains' records, and the pairs of materials among them.
+#pragma once
+
+#include "core/contact_list.hpp"
+#include "core/lanes.hpp"
+#include "core/material.hpp"
+
+namespace arenite {
+
+KOKKOS_FORCEINLINE_FUNCTION LaneRecords records_of(RecordView const& view, int const* grains)
+{
+    return load_records(view.data(), grains);
+}
+
+/// Of the second grains' images, m; contacts c .. c + lane_count - 1 of a list in a periodic box.
+KOKKOS_FORCEINLINE_FUNCTION Vector<Lanes> image_shifts(ContactList const& list, PeriodicBox const& box, int c)
+{
+    Vec3 shift[lane_count];
+    for (int n = 0; n < lane_count; ++n) shift[n] = box.image_shift(list.image(c + n));
+    return {make_lanes([&](int n) { return shift[n].x; }), make_lanes([&](int n) { return shift[n].y; }),
+            make_lanes([&](int n) { return shift[n].z; })};
+}
+
+/// Calls evaluate(constants, mask of the lanes that have them) for every pair of materials in the lanes: a law knows one
+/// pair at a time. i, j: rows of the lanes' grains.
+template <class Evaluate>
+KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, View1<std::uint8_t> const& material, int const* i,
+                                                        int const* j, Evaluate const& evaluate)
+{
+    auto const index_of = [&](int n) { return pairs.materials == 1 ? 0 : pairs.index(material(i[n]), material(j[n])); };
+    if constexpr (lane_count == 1) return evaluate(pairs(index_of(0)), LaneMask(true));
+    if (pairs.materials == 1) return evaluate(pairs(0), LaneMask(true));
+    int index[lane_count];
+    for (int n = 0; n < lane_count; ++n) index[n] = index_of(n);
+    for (int n = 0; n < lane_count; ++n) {
+        bool done = false;
+        for (int m = 0; m < n; ++m) done = done || index[m] == index[n];
+        if (done) continue;
+        evaluate(pairs(index[n]), make_lanes([&](int m) { return static_cast<Real>(index[m] == index[n]); }) > Lanes(0));
+    }
+}
+
+} // namespace arenite
