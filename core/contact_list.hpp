@@ -31,6 +31,9 @@ template <int components> using ContactColumns = Kokkos::View<Real* [components]
 /// The rows beyond the last contact name grain 0 twice; their results go nowhere.
 inline constexpr int contact_block = 8;
 
+/// Second grains that may be read beyond the last contact: the kernel asks early for the records to come.
+inline constexpr int second_ahead = 24;
+
 /// Incident entries that may be read beyond the last: a gather asks early for the rows to come.
 inline constexpr int incident_ahead = 32;
 
@@ -40,7 +43,8 @@ struct ContactList {
     bool periodic = false;
 
     View1<int> row_begin;            // [grain + 1] contacts that grain owns
-    View1<int> first, second;        // [contact] rows of the two grains
+    View1<int> first;                // [contact] rows of the two grains
+    View1<int> second;               // [contact + second_ahead]
     View1<std::uint8_t> image;       // [contact] image code of second; empty in a closed box
     ContactColumns<3> scale;         // [contact](R* m, m* kg, R*^(1/3) m^(1/3))
     View1<std::uint8_t> touching;    // [contact] carried a force at the last evaluation

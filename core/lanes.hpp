@@ -127,6 +127,43 @@ template <class Make> KOKKOS_FORCEINLINE_FUNCTION Lanes make_lanes(Make const& m
 #endif
 }
 
+/// One record of four numbers, to add up records in one instruction.
+#ifdef ARENITE_HOST_LANES
+using Quad __attribute__((vector_size(32))) = Real;
+#else
+struct Quad {
+    Real number[4] = {};
+    KOKKOS_FUNCTION Real operator[](int n) const { return number[n]; }
+    KOKKOS_FUNCTION friend Quad operator*(Real factor, Quad const& q)
+    {
+        return {{factor * q[0], factor * q[1], factor * q[2], factor * q[3]}};
+    }
+    KOKKOS_FUNCTION Quad& operator+=(Quad const& q)
+    {
+        for (int n = 0; n < 4; ++n) number[n] += q[n];
+        return *this;
+    }
+    KOKKOS_FUNCTION Quad& operator-=(Quad const& q)
+    {
+        for (int n = 0; n < 4; ++n) number[n] -= q[n];
+        return *this;
+    }
+};
+#endif
+
+KOKKOS_FORCEINLINE_FUNCTION Quad load_quad(Real const* from)
+{
+#ifdef ARENITE_HOST_LANES
+    Quad quad;
+    std::memcpy(&quad, from, sizeof quad);
+    return quad;
+#else
+    return {{from[0], from[1], from[2], from[3]}};
+#endif
+}
+
+KOKKOS_FORCEINLINE_FUNCTION Vec3 xyz_of(Quad const& quad) { return {quad[0], quad[1], quad[2]}; }
+
 /// A record of four numbers in every lane.
 struct LaneRecords {
     Vector<Lanes> xyz;
@@ -138,15 +175,7 @@ struct LaneRecords {
 // number it takes 8 and 7.
 namespace lanes_detail {
 
-using Quad __attribute__((vector_size(32))) = Real;
 using Octet __attribute__((vector_size(64))) = Real;
-
-[[gnu::always_inline]] inline Quad load_quad(Real const* from)
-{
-    Quad quad;
-    std::memcpy(&quad, from, sizeof quad);
-    return quad;
-}
 
 [[gnu::always_inline]] inline LaneRecords load_eight(Real const* records, int const* rows)
 {

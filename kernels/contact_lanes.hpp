@@ -28,11 +28,9 @@ template <class Evaluate>
 KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, View1<std::uint8_t> const& material, int const* i,
                                                         int const* j, Evaluate const& evaluate)
 {
-    auto const index_of = [&](int n) { return pairs.materials == 1 ? 0 : pairs.index(material(i[n]), material(j[n])); };
-    if constexpr (lane_count == 1) return evaluate(pairs(index_of(0)), LaneMask(true));
-    if (pairs.materials == 1) return evaluate(pairs(0), LaneMask(true));
     int index[lane_count];
-    for (int n = 0; n < lane_count; ++n) index[n] = index_of(n);
+    for (int n = 0; n < lane_count; ++n) index[n] = pairs.index(material(i[n]), material(j[n]));
+    if constexpr (lane_count == 1) return evaluate(pairs(index[0]), LaneMask(true));
     for (int n = 0; n < lane_count; ++n) {
         bool done = false;
         for (int m = 0; m < n; ++m) done = done || index[m] == index[n];

@@ -436,7 +436,7 @@ void allocate_contacts(ContactList& contacts)
 {
     int const n = (contacts.count + contact_block - 1) / contact_block * contact_block;
     contacts.first = View1<int>(uninitialized("contact_first"), n);
-    contacts.second = View1<int>(uninitialized("contact_second"), n);
+    contacts.second = View1<int>(uninitialized("contact_second"), n + second_ahead);
     if (contacts.periodic) contacts.image = View1<std::uint8_t>(uninitialized("contact_image"), n);
     contacts.scale = ContactColumns<3>(uninitialized("contact_scale"), n);
     contacts.touching = View1<std::uint8_t>("contact_touching", n);
@@ -445,7 +445,7 @@ void allocate_contacts(ContactList& contacts)
     contacts.force = ForceRows("contact_force", n);
     auto const rest = Kokkos::make_pair(contacts.count, n);
     Kokkos::deep_copy(Kokkos::subview(contacts.first, rest), 0);
-    Kokkos::deep_copy(Kokkos::subview(contacts.second, rest), 0);
+    Kokkos::deep_copy(Kokkos::subview(contacts.second, Kokkos::make_pair(contacts.count, n + second_ahead)), 0);
     if (contacts.periodic) Kokkos::deep_copy(Kokkos::subview(contacts.image, rest), PeriodicBox::image_code(0, 0, 0));
     Kokkos::deep_copy(Kokkos::subview(contacts.scale, rest, Kokkos::ALL), 1);
 }

@@ -125,18 +125,26 @@ template <class Law> struct PairPower {
         ContactScale<Lanes> const scale{load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), load_lanes(&list.scale(c, 2))};
         LaneMask adheres(false);
         if constexpr (Law::adheres) adheres = load_flags(&list.adhering(c));
-        SplitPower<Lanes> split;
-        for_each_material_pair(pairs, material, i, j, [&](PairConstants const& pair, LaneMask const& same) {
-            SplitPower<Lanes> const power = split_contact_power<Law>(contact, scale, pair, adheres);
-            split.damping = select(same, power.damping, split.damping);
-            split.tangential = select(same, power.tangential, split.tangential);
-        });
+        SplitPower<Lanes> const split = split_power(contact, scale, i, j, adheres);
         auto const sum = [&](Lanes const& power) { return sum_of_lanes(select(touching, power, Lanes(0))); };
         terms[0] = sum(split.damping);
         terms[1] = sum(split.tangential);
         if (box.deforms()) terms[2] = sum(-dot(contact.force, stretch));
         terms[4] = sum(dot(contact.force, approach) + turning);
         return terms;
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION SplitPower<Lanes> split_power(ContactMotion<Lanes> const& contact, ContactScale<Lanes> const& scale,
+                                                              int const* i, int const* j, LaneMask const& adheres) const
+    {
+        if (pairs.materials == 1) return split_contact_power<Law>(contact, scale, pairs(0), adheres); // nothing to select
+        SplitPower<Lanes> split;
+        for_each_material_pair(pairs, material, i, j, [&](PairConstants const& pair, LaneMask const& same) {
+            SplitPower<Lanes> const power = split_contact_power<Law>(contact, scale, pair, adheres);
+            split.damping = select(same, power.damping, split.damping);
+            split.tangential = select(same, power.tangential, split.tangential);
+        });
+        return split;
     }
 
     /// Rare, so contact by contact.

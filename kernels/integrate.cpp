@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kernels/integrate.hpp"
 
+#include "core/lanes.hpp"
+
 namespace arenite {
 namespace {
 
@@ -18,14 +20,17 @@ struct GrainStep {
 
     KOKKOS_FUNCTION void gather(int i, Vec3& force, Vec3& torque) const
     {
+        Quad forces{}, torques{}; // their fourth number is no force
         for (int k = contacts.incident_begin(i); k < contacts.incident_begin(i + 1); ++k) {
             prefetch(row_of(contacts.incident(k + incident_ahead)));
             // Without a branch: rows that do not touch are zero.
             int const entry = contacts.incident(k), second = entry & 1;
             Real const* const row = row_of(entry);
-            force += (1 - 2 * second) * Vec3{row[0], row[1], row[2]};
-            torque -= row[3 + 4 * second] * Vec3{row[4], row[5], row[6]}; // (-arm n) x F on both sides
+            forces += Real(1 - 2 * second) * load_quad(row);
+            torques -= row[3 + 4 * second] * load_quad(row + 4); // (-arm n) x F on both sides
         }
+        force = xyz_of(forces);
+        torque = xyz_of(torques);
         if (!has_walls) return;
         for (int k = walls.begin(i); k < walls.begin(i + 1); ++k) {
             int const c = walls.contact(k);
@@ -47,8 +52,6 @@ struct GrainStep {
     /// Force and torque at the grain's position.
     KOKKOS_FUNCTION void total(int i, Vec3& force, Vec3& torque) const
     {
-        force = {};
-        torque = {};
         gather(i, force, torque);
         if (has_fluid) force += vector_of(grains.fluid_force, i);
         if (has_applied) force += vector_of(grains.applied_force, i);
