@@ -12,6 +12,7 @@
 #include <Kokkos_Core.hpp>
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -95,6 +96,7 @@ int main(int argc, char** argv)
 
     try {
         refuse_ranks();
+        std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is then a write that fails, with a message
         // Unbound threads are the default; said aloud, Kokkos does not ask for it at every start.
         setenv("OMP_PROC_BIND", "false", 0);
         // Its cases are small: a second thread gains nothing, and loses much where another program has the core.

@@ -72,10 +72,8 @@ void add_cell(std::vector<Cell>& cells, Flow const& flow, Vec3 const& point)
 
 Probes::Probes(std::filesystem::path const& folder, OutputSettings const& output, std::optional<ResumePoint> const& resume)
 {
-    std::optional<TimeSeries::Keep> keep;
-    if (resume) keep = TimeSeries::Keep{"step", static_cast<Real>(resume->step)};
     for (ProbeSettings const& probe : output.probes)
-        probes_.push_back({probe, TimeSeries(folder / ("probe-" + probe.name + ".csv"), columns_of(probe), keep)});
+        probes_.push_back({probe, TimeSeries(folder / ("probe-" + probe.name + ".csv"), columns_of(probe), rows_until(resume))});
 }
 
 void Probes::write(RunState const& state, std::string const& stage)

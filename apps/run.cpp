@@ -5,6 +5,7 @@
 #include "apps/run_checkpoint.hpp"
 #include "apps/stage_loop.hpp"
 #include "core/error.hpp"
+#include "io/atomic_file.hpp"
 #include "io/build_info.hpp"
 #include "io/checkpoint_folder.hpp"
 #include "io/scene_reader.hpp"
@@ -45,15 +46,10 @@ fs::path folder_of(RunOptions const& options)
     return options.folder.empty() ? fs::path("runs") / fs::path(options.scene).stem() : fs::path(options.folder);
 }
 
-/// A folder that holds another run is not written over in silence.
-void check_folder(fs::path const& folder, bool resume)
-{
-    std::error_code unreadable;
-    if (resume && !fs::is_directory(folder, unreadable)) throw InputError(fmt::format("--resume: there is no run in {}", folder.string()));
-}
-
 RunState resumed_state(RunOptions const& options, fs::path const& folder, Scene const& scene, StagePlan const& plan)
 {
+    std::error_code unreadable;
+    if (!fs::is_directory(folder, unreadable)) throw InputError(fmt::format("--resume: there is no run in {}", folder.string()));
     std::vector<std::string> messages;
     std::optional<fs::path> path;
     if (!options.checkpoint.empty()) path = options.checkpoint;
@@ -67,6 +63,20 @@ RunState resumed_state(RunOptions const& options, fs::path const& folder, Scene 
     if (!options.quiet)
         std::fputs(fmt::format("resumed from {}: step {}, {:.6g} s\n", path->string(), state.clock.step, state.clock.time()).c_str(), stdout);
     return state;
+}
+
+ResumePoint resume_point(RunState const& state, StagePlan const& plan)
+{
+    bool const begins = state.clock.stage_step == 0 && state.clock.stage < static_cast<int>(plan.size());
+    return {state.clock.step, state.clock.time(), begins ? plan[state.clock.stage].label : ""};
+}
+
+void say_how_it_ended(RunOutput& output, SimulationError const& error)
+{
+    try {
+        output.finish(error.what());
+    } catch (OutputError const&) { // a disk that is full for the results is full for the summary too
+    }
 }
 
 /// Runs the stages; returns how the run ended.
@@ -96,24 +106,21 @@ int run_scene(RunOptions const& options)
     StagePlan const plan = make_stage_plan(scene);
     Until const until = parse_until(options.until, scene);
     fs::path const folder = folder_of(options);
-    check_folder(folder, options.resume);
     RunState state = options.resume ? resumed_state(options, folder, scene, plan) : make_run_state(scene);
     for (std::string const& message : left_out_messages()) std::fputs((message + "\n").c_str(), stderr);
 
     std::optional<ResumePoint> resume;
-    if (options.resume) resume = ResumePoint{state.clock.step, state.clock.time()};
-    make_folder(folder);
-    if (resume) drop_checkpoints_after(folder, resume->step);
-    else drop_checkpoints_after(folder, -1);
+    if (options.resume) resume = resume_point(state, plan);
     RunOutput output(folder, scene, plan, resume, state.clock.stage, options.quiet);
     try {
+        output.open();
         std::string const outcome = run_stages(scene, plan, until, state, output);
         output.finish(outcome);
         output.say(fmt::format("{}: {} grains produced, {:.6g} kg; look at {}", outcome, state.tally.produced_count,
                                state.tally.produced_mass, folder.string()));
         return 0;
     } catch (SimulationError const& error) {
-        output.finish(error.what());
+        say_how_it_ended(output, error);
         bool const saved = !list_checkpoints(folder).empty();
         std::string const left = saved ? fmt::format("the last checkpoint in {} is the last good state", folder.string())
                                        : "no checkpoint was due before";

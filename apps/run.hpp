@@ -17,7 +17,7 @@ struct RunOptions {
     bool quiet = false;
 };
 
-/// Exit code: 0 done, 1 physics ended it. Throws InputError for bad input, before anything is written.
+/// Exit code: 0 done, 1 physics or an output file that cannot be written ended it. Throws InputError for bad input, before anything is written.
 int run_scene(RunOptions const& options);
 
 } // namespace arenite

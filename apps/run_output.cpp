@@ -44,11 +44,9 @@ double seconds_since(std::chrono::steady_clock::time_point start)
 
 RunOutput::RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan const& plan,
                      std::optional<ResumePoint> const& resume, int first_stage, bool quiet)
-    : folder_(std::move(folder)), scene_(scene), plan_(plan), history_(folder_, columns_of(scene), resume),
-      ledger_(folder_, resume), probes_(folder_, scene.output, resume), fields_(folder_, resume), run_begin_(std::chrono::steady_clock::now()), quiet_(quiet)
+    : folder_(std::move(folder)), resume_(resume), scene_(scene), plan_(plan), history_(folder_, columns_of(scene), resume),
+      ledger_(folder_, resume), probes_(folder_, scene.output, resume), run_begin_(std::chrono::steady_clock::now()), quiet_(quiet)
 {
-    fields_.choose_grain_fields(scene.output.grain_fields);
-    fields_.choose_fluid_fields(scene.output.fluid_fields);
     summary_.scene = scene.path;
     summary_.title = scene.title;
     summary_.scene_hash = scene.hash;
@@ -59,7 +57,19 @@ RunOutput::RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan
         for (int row = 0; row < first_stage; ++row) labels.push_back(plan[row].label);
         summary_.earlier_stages = finished_stages(folder_, labels);
     }
-    write_file_atomically(folder_ / "scene.toml", scene.resolved);
+}
+
+void RunOutput::open()
+{
+    make_folder(folder_);
+    remove_unfinished(folder_);
+    // Later checkpoints go first: were the tables cut before them, a kill in between would leave a checkpoint without its rows.
+    drop_checkpoints_after(folder_, resume_ ? resume_->step : -1);
+    flush_tables();
+    fields_.emplace(folder_, resume_);
+    fields_->choose_grain_fields(scene_.output.grain_fields);
+    fields_->choose_fluid_fields(scene_.output.fluid_fields);
+    write_file_atomically(folder_ / "scene.toml", scene_.resolved);
 }
 
 OutputCadence RunOutput::cadence(PlannedStage const& planned) const
@@ -92,6 +102,20 @@ void RunOutput::begin_stage(PlannedStage const& planned, RunState const& state)
     if (planned.dt > 0 && limits.lattice > 0)
         line += fmt::format(", {:.1f} % of the lattice limit at {:.3g} Pa", 100 * planned.dt / limits.lattice, limits.pressure);
     say(line);
+    warn_of_little_space(state);
+}
+
+/// Said before hours are spent. Two checkpoints stay, beside those at the ends of stages, while the next one is written.
+void RunOutput::warn_of_little_space(RunState const& state)
+{
+    constexpr double bytes_per_grain = 800, bytes_per_cell = 160; // contacts included; measured on packs under stress
+    double const cells = state.fluid ? static_cast<double>(state.fluid->flow.grid.cell_count()) : 0;
+    double const needed = 3 * (bytes_per_grain * state.particles.count + bytes_per_cell * cells);
+    std::error_code unknown;
+    auto const space = std::filesystem::space(folder_, unknown);
+    if (unknown || !can_write_checkpoints() || static_cast<double>(space.available) > needed) return;
+    warn("disk", fmt::format("{}: {:.3g} MB are free, and three checkpoints take about {:.3g} MB", folder_.string(), 1e-6 * static_cast<double>(space.available),
+                             1e-6 * needed));
 }
 
 void RunOutput::write_start(RunState& state, Look const& look)
@@ -142,12 +166,12 @@ void RunOutput::write_fields(RunState& state)
     counts.bonds = View1<int>("bonds", state.particles.count);
     counts.coordination = View1<int>("coordination", state.particles.count);
     count_bonds(state.particles, state.contacts, counts.bonds, counts.coordination);
-    fields_.write(take_snapshot(state.particles, state.clock.time(), counts));
-    if (state.walls.count() > 0) fields_.write_walls(wall_surfaces(state.walls, state.clock.time()));
+    fields_->write(take_snapshot(state.particles, state.clock.time(), counts));
+    if (state.walls.count() > 0) fields_->write_walls(wall_surfaces(state.walls, state.clock.time()));
     if (!state.fluid) return;
     FluidSnapshot const fluid = take_snapshot(state.fluid->flow, state.clock.time());
-    fields_.write(fluid);
-    fields_.write_streamlines(fluid, scene_.output.streamlines);
+    fields_->write(fluid);
+    fields_->write_streamlines(fluid, scene_.output.streamlines);
 }
 
 void RunOutput::fluid_warnings(RunState const& state)

@@ -28,8 +28,13 @@ struct OutputCadence {
 
 class RunOutput {
 public:
+    /// Reads what an earlier run left in the folder and writes nothing. Throws InputError if a resumed run cannot go on
+    /// with its tables.
     RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan const& plan,
               std::optional<ResumePoint> const& resume, int first_stage, bool quiet);
+
+    /// From here on the folder is this run's: what an earlier one wrote beyond the point where this one goes on is dropped.
+    void open();
 
     OutputCadence cadence(PlannedStage const& planned) const;
 
@@ -56,16 +61,18 @@ private:
     void write_history(RunState& state, Look const& look);
     void write_fields(RunState& state);
     void fluid_warnings(RunState const& state);
+    void warn_of_little_space(RunState const& state);
     void flush_tables();
     StageSummary& stage() { return summary_.stages.back(); }
 
     std::filesystem::path folder_;
+    std::optional<ResumePoint> resume_;
     Scene const& scene_;
     StagePlan const& plan_;
     History history_;
     ProducedLedger ledger_;
     Probes probes_;
-    FieldOutput fields_;
+    std::optional<FieldOutput> fields_; // once open
     Progress progress_;
     RunSummary summary_;
     PlannedStage const* planned_ = nullptr;

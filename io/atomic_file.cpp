@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char const* unfinished = ".unfinished";
+
 [[noreturn]] void fail(fs::path const& path, char const* what, int error)
 {
     throw OutputError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
@@ -64,7 +66,14 @@ void write_temporary(fs::path const& path, std::string_view content)
 
 } // namespace
 
-fs::path temporary_name(fs::path const& path) { return path.string() + ".tmp"; }
+fs::path temporary_name(fs::path const& path) { return path.string() + unfinished; }
+
+void remove_unfinished(fs::path const& folder)
+{
+    std::error_code ignored; // one that stays does no harm
+    for (auto const& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().extension() == unfinished) fs::remove(entry.path(), ignored);
+}
 
 void publish_file(fs::path const& path)
 {

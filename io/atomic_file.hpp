@@ -19,8 +19,11 @@ struct OutputError : SimulationError {
 /// Replaces the file with the content, or throws OutputError and leaves it alone.
 void write_file_atomically(std::filesystem::path const& path, std::string_view content);
 
-/// Where a file is written before it gets its name.
+/// Where a file is written before it gets its name: beside it, with an ending that no other program uses.
 std::filesystem::path temporary_name(std::filesystem::path const& path);
+
+/// Deletes what a killed run left under temporary names in the folder (not in folders below it).
+void remove_unfinished(std::filesystem::path const& folder);
 
 /// Syncs the file that was written under temporary_name(path) and gives it its name.
 void publish_file(std::filesystem::path const& path);
@@ -36,6 +39,7 @@ class AppendedFile {
 public:
     AppendedFile() = default;
     explicit AppendedFile(std::filesystem::path path); // must exist
+    bool is_open() const { return descriptor_ >= 0; }
     ~AppendedFile();
     AppendedFile(AppendedFile&& other) noexcept;
     AppendedFile& operator=(AppendedFile&& other) noexcept;

@@ -36,17 +36,11 @@ void append_flow(std::vector<Cell>& cells, std::optional<FlowReport> const& flow
         cells.emplace_back(value);
 }
 
-std::optional<TimeSeries::Keep> rows_until(std::optional<ResumePoint> const& resume, char const* column, bool by_step)
-{
-    if (!resume) return {};
-    return TimeSeries::Keep{column, by_step ? static_cast<Real>(resume->step) : resume->time};
-}
-
 } // namespace
 
 History::History(std::filesystem::path const& folder, HistoryColumns columns, std::optional<ResumePoint> const& resume)
     : columns_(std::move(columns)),
-      table_(folder / "history.csv", history_header(columns_), rows_until(resume, "step", true))
+      table_(folder / "history.csv", history_header(columns_), rows_until(resume))
 {
 }
 
@@ -65,7 +59,7 @@ void History::add(HistoryRow const& row)
 
 ProducedLedger::ProducedLedger(std::filesystem::path const& folder, std::optional<ResumePoint> const& resume)
     : table_(folder / "produced.csv", {"time", "id", "class", "diameter", "k", "mass", "x", "y", "z", "vx", "vy", "vz"},
-             rows_until(resume, "time", false))
+             resume ? std::optional(TimeSeries::Keep{"time", resume->time, ""}) : std::nullopt)
 {
 }
 

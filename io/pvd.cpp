@@ -13,9 +13,11 @@ PvdSeries::PvdSeries(std::filesystem::path folder, std::string name, std::string
     : folder_(std::move(folder)), name_(std::move(name)), extension_(std::move(extension))
 {
     make_folder(folder_ / name_);
-    drop_after(resume);
+    remove_unfinished(folder_ / name_);
+    std::vector<Entry> const dropped = drop_after(resume);
     if (entries_.empty()) std::filesystem::remove(folder_ / (name_ + ".pvd"));
     else write_list();
+    for (Entry const& entry : dropped) delete_piece(entry); // only now that no list names them
 }
 
 std::string PvdSeries::piece_name(int index) const
@@ -56,16 +58,18 @@ std::vector<PvdSeries::Entry> PvdSeries::listed_entries() const
     return entries;
 }
 
-void PvdSeries::drop_after(std::optional<ResumePoint> const& resume)
+std::vector<PvdSeries::Entry> PvdSeries::drop_after(std::optional<ResumePoint> const& resume)
 {
+    std::vector<Entry> dropped;
     for (Entry const& entry : listed_entries()) {
         if (resume && entry.time <= resume->time) {
             entries_.push_back(entry);
             next_ = entry.index + 1;
         } else {
-            delete_piece(entry);
+            dropped.push_back(entry);
         }
     }
+    return dropped;
 }
 
 void PvdSeries::delete_piece(Entry const& entry) const

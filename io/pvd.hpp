@@ -28,7 +28,7 @@ private:
 
     std::string piece_name(int index) const;
     std::vector<Entry> listed_entries() const;
-    void drop_after(std::optional<ResumePoint> const& resume);
+    std::vector<Entry> drop_after(std::optional<ResumePoint> const& resume); // returns the dropped ones
     void delete_piece(Entry const& entry) const;
     void write_list() const;
 

@@ -26,6 +26,13 @@ std::string header_of(std::vector<std::string> const& columns)
     return fmt::format("{}\n", fmt::join(names, ","));
 }
 
+std::size_t column_of(std::vector<std::string> const& columns, std::string const& name)
+{
+    auto const found = std::find(columns.begin(), columns.end(), name);
+    ARENITE_REQUIRE(found != columns.end(), "no column " + name);
+    return static_cast<std::size_t>(found - columns.begin());
+}
+
 Real number_in(std::string const& line, std::size_t column, std::filesystem::path const& path)
 {
     auto const cells = split_csv_line(line);
@@ -41,20 +48,22 @@ Real number_in(std::string const& line, std::size_t column, std::filesystem::pat
 }
 
 /// The part of an earlier run's file that a resumed run goes on from.
-std::string kept_rows(std::filesystem::path const& path, std::string const& header, TimeSeries::Keep const& keep,
-                      std::size_t column)
+std::string kept_rows(std::filesystem::path const& path, std::vector<std::string> const& columns, TimeSeries::Keep const& keep)
 {
-    std::string const content = read_file(path);
+    std::string const content = read_file(path), header = header_of(columns);
     if (content.compare(0, header.size(), header) != 0)
         throw InputError(
             fmt::format("{}: cannot go on with this file: its columns are not those of this scene\n  expected: {}"
                         "  found:    {}",
                         path.string(), header, content.substr(0, content.find('\n'))));
+    std::size_t const column = column_of(columns, keep.column), stage = keep.stage.empty() ? 0 : column_of(columns, "stage");
     std::string kept = header;
     std::size_t begin = header.size();
     for (std::size_t end = 0; (end = content.find('\n', begin)) != std::string::npos; begin = end + 1) {
         std::string const line = content.substr(begin, end - begin);
-        if (number_in(line, column, path) <= keep.value) kept += line + '\n';
+        if (number_in(line, column, path) > keep.value) continue;
+        if (!keep.stage.empty() && split_csv_line(line).at(stage) == keep.stage) continue;
+        kept += line + '\n';
     }
     return kept; // what follows the last line break was cut short by a kill
 }
@@ -83,18 +92,16 @@ std::vector<std::string> split_csv_line(std::string const& line)
     return cells;
 }
 
+std::optional<TimeSeries::Keep> rows_until(std::optional<ResumePoint> const& resume)
+{
+    if (!resume) return {};
+    return TimeSeries::Keep{"step", static_cast<Real>(resume->step), resume->stage};
+}
+
 TimeSeries::TimeSeries(std::filesystem::path path, std::vector<std::string> columns, std::optional<Keep> const& keep)
     : path_(std::move(path)), columns_(std::move(columns)), last_write_(std::chrono::steady_clock::now())
 {
-    std::string const header = header_of(columns_);
-    std::string content = header;
-    if (keep && std::filesystem::exists(path_)) {
-        auto const found = std::find(columns_.begin(), columns_.end(), keep->column);
-        ARENITE_REQUIRE(found != columns_.end(), "no column " + keep->column);
-        content = kept_rows(path_, header, *keep, static_cast<std::size_t>(found - columns_.begin()));
-    }
-    write_file_atomically(path_, content);
-    file_ = AppendedFile(path_);
+    pending_ = keep && std::filesystem::exists(path_) ? kept_rows(path_, columns_, *keep) : header_of(columns_);
 }
 
 void TimeSeries::add(std::vector<Cell> const& row)
@@ -111,7 +118,12 @@ void TimeSeries::add(std::vector<Cell> const& row)
 
 void TimeSeries::write_pending()
 {
-    file_.append(pending_);
+    if (file_.is_open()) {
+        file_.append(pending_);
+    } else {
+        write_file_atomically(path_, pending_);
+        file_ = AppendedFile(path_);
+    }
     pending_.clear();
     last_write_ = std::chrono::steady_clock::now();
 }

@@ -17,6 +17,7 @@ namespace arenite {
 struct ResumePoint {
     std::int64_t step = 0;
     Real time = 0;
+    std::string stage; // that begins there; "" in the middle of one
 };
 
 /// One value as it stands in the file. Nothing is an empty cell; a real has the fewest digits that read
@@ -34,14 +35,15 @@ struct Cell {
 
 class TimeSeries {
 public:
-    /// Rows whose value in `column` exceeds `value` are dropped.
+    /// Rows whose value in `column` exceeds `value` are dropped, and those of the stage that is begun again.
     struct Keep {
         std::string column;
         Real value = 0;
+        std::string stage; // "" where the table has no such column
     };
 
-    /// Starts the table, or goes on with the rows to keep if `keep` is given and the file exists.
-    /// Throws InputError if that file's header is another one.
+    /// A new table, or one that goes on with the rows to keep if `keep` is given and the file exists. The file itself
+    /// stays as it is until the first flush. Throws InputError if its header is another one.
     TimeSeries(std::filesystem::path path, std::vector<std::string> columns, std::optional<Keep> const& keep = {});
 
     /// One value for each column.
@@ -61,9 +63,12 @@ private:
     std::filesystem::path path_;
     std::vector<std::string> columns_;
     AppendedFile file_;
-    std::string pending_;
+    std::string pending_; // rows that are not in the file yet; at first all of it
     std::chrono::steady_clock::time_point last_write_;
 };
+
+/// What a resumed run keeps of a table with the columns step and stage.
+std::optional<TimeSeries::Keep> rows_until(std::optional<ResumePoint> const& resume);
 
 /// The cells of one CSV line (quotes undone). Lines with quoted line breaks are not written by us.
 std::vector<std::string> split_csv_line(std::string const& line);

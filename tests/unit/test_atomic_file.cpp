@@ -23,6 +23,18 @@ TEST(AtomicFile, ReplacesTheContentAndLeavesNothingBeside)
     EXPECT_FALSE(fs::exists(temporary_name(folder / "file")));
 }
 
+TEST(AtomicFile, WhatAKilledRunLeftUnfinishedIsRemoved)
+{
+    test::ScratchFolder const folder;
+    test::put(folder / "file", "kept");
+    test::put(folder / "notes.tmp", "the user's");
+    test::put(temporary_name(folder / "file"), "half");
+    remove_unfinished(folder.path());
+    EXPECT_FALSE(fs::exists(temporary_name(folder / "file")));
+    EXPECT_EQ(content_of(folder / "file"), "kept");
+    EXPECT_TRUE(fs::exists(folder / "notes.tmp"));
+}
+
 TEST(AtomicFile, AFullDiskKeepsTheOldFileAndNamesFileAndCause)
 {
     test::ScratchFolder const folder;

@@ -186,7 +186,7 @@ TEST(FieldOutput, TheSeriesListsItsTimesAndSurvivesAResume)
     FieldOutput first(folder.path());
     write_at(first, {0, 0.1 + 0.2, 0.5, 0.75});
     EXPECT_FALSE(fs::exists(folder / "fluid.pvd")); // no fluid, no series
-    FieldOutput resumed(folder.path(), ResumePoint{10, 0.1 + 0.2});
+    FieldOutput resumed(folder.path(), ResumePoint{10, 0.1 + 0.2, ""});
     EXPECT_FALSE(fs::exists(folder / "particles/particles_000003.vtp")); // of a future that is not ours
     write_at(resumed, {0.6});
     std::vector<std::string> const expected{"0 particles/particles_000000.vtp",
@@ -224,7 +224,7 @@ TEST(FieldOutput, AFullDiskNamesThePieceAndListsNothing)
     test::ScratchFolder const folder;
     FieldOutput output(folder.path());
     write_at(output, {0});
-    fs::create_symlink("/dev/full", folder / "particles/particles_000001.vtp.tmp");
+    fs::create_symlink("/dev/full", folder / "particles/particles_000001.vtp.unfinished");
     auto const message = test::message_of<OutputError>([&] { write_at(output, {1}); });
     EXPECT_TRUE(contains(message, "particles_000001.vtp"));
     EXPECT_TRUE(contains(message, "No space left on device"));

@@ -39,13 +39,25 @@ TEST(TimeSeries, ResumeDropsLaterRowsAndTheRowThatAKillCutShort)
     test::ScratchFolder const folder;
     test::put(folder / "t.csv", "step,x\n10,a\n20,b\n30,c\n4");
     {
-        TimeSeries table(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20});
+        TimeSeries table(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20, ""});
         table.add({25, std::string("d")});
         table.flush();
     }
     EXPECT_EQ(content_of(folder / "t.csv"), "step,x\n10,a\n20,b\n25,d\n");
-    TimeSeries const fresh(folder / "t.csv", {"step", "x"}); // without a step to keep, an old table goes
+    TimeSeries fresh(folder / "t.csv", {"step", "x"}); // without a step to keep, an old table goes
+    EXPECT_EQ(content_of(folder / "t.csv"), "step,x\n10,a\n20,b\n25,d\n"); // but not before the run writes
+    fresh.flush();
     EXPECT_EQ(content_of(folder / "t.csv"), "step,x\n");
+}
+
+TEST(TimeSeries, ResumeAtTheBeginningOfAStageDropsItsFirstRow)
+{
+    test::ScratchFolder const folder;
+    test::put(folder / "t.csv", "step,stage\n10,a\n20,a\n20,b\n30,b\n");
+    TimeSeries table(folder / "t.csv", {"step", "stage"}, rows_until(ResumePoint{20, 0, "b"}));
+    table.add({20, std::string("b")}); // the stage begins again
+    table.flush();
+    EXPECT_EQ(content_of(folder / "t.csv"), "step,stage\n10,a\n20,a\n20,b\n");
 }
 
 TEST(TimeSeries, ResumeRefusesATableOfOtherColumns)
@@ -53,14 +65,14 @@ TEST(TimeSeries, ResumeRefusesATableOfOtherColumns)
     test::ScratchFolder const folder;
     test::put(folder / "t.csv", "step,y\n10,a\n");
     auto const message = message_of<InputError>([&] {
-        TimeSeries(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20});
+        TimeSeries(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20, ""});
     });
     EXPECT_TRUE(contains(message, "t.csv"));
     EXPECT_TRUE(contains(message, "step,x"));
     EXPECT_TRUE(contains(message, "step,y"));
     test::put(folder / "t.csv", "step,x\nabc,a\n");
     auto const no_number = message_of<InputError>([&] {
-        TimeSeries(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20});
+        TimeSeries(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20, ""});
     });
     EXPECT_TRUE(contains(no_number, "abc,a"));
     EXPECT_EQ(content_of(folder / "t.csv"), "step,x\nabc,a\n");
@@ -110,7 +122,8 @@ TEST(ProducedLedger, ResumeKeepsGrainsUpToTheCheckpointsTimeExactly)
         ledger.add({std::nextafter(checkpoint_time, 1), 9, 0, 5e-4, 2, 1e-6, {}, {}});
         ledger.flush();
     }
-    ProducedLedger const resumed(folder.path(), ResumePoint{100, checkpoint_time});
+    ProducedLedger resumed(folder.path(), ResumePoint{100, checkpoint_time, ""});
+    resumed.flush();
     EXPECT_EQ(content_of(folder / "produced.csv"), "time,id,class,diameter,k,mass,x,y,z,vx,vy,vz\n"
                                                    "0.3,7,2,0.0005,2,1e-06,1,2,3,0,0,-1\n"
                                                    "0.30000000000000004,8,0,0.0005,2,1e-06,0,0,0,0,0,0\n");
