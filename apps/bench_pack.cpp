@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/bench_pack.hpp"
 
+#include "apps/view_memory.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "kernels/contact_search.hpp"
@@ -86,6 +87,8 @@ struct PreparedPack {
         search_contacts(state.particles, state.box, {state.skin, forces.needs, {}}, state.contacts);
         search_wall_contacts(state.particles, state.walls, state.skin, forces.wall_needs, state.wall_contacts);
     }
+    bool list_is_old() { return read_health(state.integrator) & list_is_stale; }
+    void move() { kick_and_drift(state.integrator, step, state.particles, state.contacts, force_rows(state.wall_contacts)); }
 };
 
 void prepare(BenchPack const& pack, BenchSettings const& settings, PreparedPack& prepared)
@@ -159,8 +162,52 @@ BenchPack lattice_pack(int grains)
     return pack;
 }
 
+BenchPack tiled_pack(BenchPack const& pack, int along_x, int along_y)
+{
+    BenchPack tiled;
+    tiled.name = fmt::format("{} x {} {}", along_x, along_y, pack.name);
+    auto const placed = [](Real x, Real side, int tile) { return tile * side + (tile % 2 == 0 ? x : side - x); };
+    for (int i = 0; i < along_x; ++i)
+        for (int j = 0; j < along_y; ++j)
+            for (Grain grain : pack.grains) {
+                grain.position.x = placed(grain.position.x, pack.upper.x, i);
+                grain.position.y = placed(grain.position.y, pack.upper.y, j);
+                tiled.grains.push_back(grain);
+            }
+    tiled.upper = {along_x * pack.upper.x, along_y * pack.upper.y, pack.upper.z};
+    return tiled;
+}
+
+void write_pack(BenchPack const& pack, std::string const& path)
+{
+    std::ofstream file(path);
+    file << "# x y z radius (m)\n";
+    for (Grain const& grain : pack.grains)
+        file << fmt::format("{:.15g} {:.15g} {:.15g} {:.9g}\n", grain.position.x, grain.position.y, grain.position.z,
+                            grain.diameter / 2);
+    file.flush();
+    if (!file) throw SimulationError(fmt::format("{}: cannot be written", path));
+}
+
+BenchPack relaxed_pack(BenchPack const& pack, BenchSettings const& settings, int steps)
+{
+    PreparedPack prepared;
+    prepare(pack, settings, prepared);
+    prepared.step.local_damping = 0.7;
+    for (int n = 0; n < steps; ++n) {
+        if (prepared.list_is_old()) prepared.search();
+        prepared.forces.evaluate(settings.dt);
+        prepared.move();
+    }
+    BenchPack relaxed = pack;
+    relaxed.grains = download(prepared.state.particles);
+    for (Grain& grain : relaxed.grains) grain.velocity = grain.spin = {};
+    return relaxed;
+}
+
 BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
 {
+    ViewMemory const memory;
     PreparedPack prepared;
     prepare(pack, settings, prepared);
     RunState& state = prepared.state;
@@ -175,14 +222,14 @@ BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
             begin = Clock_::now();
         }
         auto const t0 = Clock_::now();
-        if (read_health(state.integrator) & list_is_stale) {
+        if (prepared.list_is_old()) {
             prepared.search();
             ++run.searches;
         }
         auto const t1 = Clock_::now();
         prepared.forces.evaluate(settings.dt);
         auto const t2 = Clock_::now();
-        kick_and_drift(state.integrator, prepared.step, state.particles, state.contacts, force_rows(state.wall_contacts));
+        prepared.move();
         auto const t3 = Clock_::now();
         run.seconds_search += seconds_between(t0, t1);
         run.seconds_evaluate += seconds_between(t1, t2);
@@ -194,6 +241,12 @@ BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
     run.candidates_per_grain = static_cast<double>(state.contacts.count) / run.grains;
     run.contacts_per_grain = static_cast<double>(prepared.forces.report().touching) / run.grains;
     run.state_hash = hash_state(state.particles);
+    run.memory = memory.by_label();
+    begin = Clock_::now();
+    prepared.search();
+    Kokkos::fence();
+    run.one_search = seconds_between(begin, Clock_::now());
+    run.peak_memory = memory.peak();
     return run;
 }
 

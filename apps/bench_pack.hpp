@@ -4,6 +4,7 @@
 
 #include "apps/stage_forces.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,12 @@ BenchPack read_pack(std::string const& path);
 /// grain, as many as a dense random pack has candidates.
 BenchPack lattice_pack(int grains);
 
+/// Copies of the pack side by side, every other one mirrored, so that grains at the walls between them meet their images.
+BenchPack tiled_pack(BenchPack const& pack, int along_x, int along_y);
+
+/// Writes what read_pack reads; throws SimulationError where it cannot.
+void write_pack(BenchPack const& pack, std::string const& path);
+
 struct BenchRun {
     double seconds = 0;             // of the timed steps
     double seconds_evaluate = 0, seconds_integrate = 0, seconds_search = 0;
@@ -29,6 +36,9 @@ struct BenchRun {
     int grains = 0;
     double candidates_per_grain = 0, contacts_per_grain = 0;
     unsigned long long state_hash = 0; // of positions, velocities and spins in the order of the ids
+    double one_search = 0;             // s, of a search after the timed steps
+    std::map<std::string, double> memory; // bytes after the timed steps, by View
+    double peak_memory = 0;               // bytes, in the search
 
     double particle_steps_per_second() const { return static_cast<double>(grains) * static_cast<double>(steps) / seconds; }
 };
@@ -41,5 +51,8 @@ struct BenchSettings {
 
 /// Steps the pack in its walls (sand of physics.md section 5, mu 0.2, e 0.8).
 BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings);
+
+/// The pack after so many steps under local damping: what has been tiled comes to rest.
+BenchPack relaxed_pack(BenchPack const& pack, BenchSettings const& settings, int steps);
 
 } // namespace arenite

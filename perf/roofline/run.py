@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Grain steps against what the machine can do: speed, cost per particle-step and shares of a stream copy and of
+multiply-adds that are measured in the same run, for every pack, law and number of threads; memory by View. So it is also
+how cost grows with the number of grains. Fails where a pack's state depends on the number of threads.
+
+Writes roofline.csv and memory.csv. Bytes and flops are counted by hand: apps/bench_limits.cpp says what is counted."""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import measure  # noqa: E402
+import packs  # noqa: E402
+
+# Of `arenite bench`, in the order of the table's columns; the first is also given as least and most.
+MEDIANS = ["particle_steps_per_s", "evaluate_ns", "integrate_ns", "one_search_s", "searches", "candidates_per_grain",
+           "contacts_per_grain", "bytes_per_particle_step", "flops_per_particle_step", "copy_bytes_per_s",
+           "copy_bytes_per_s_beyond_caches", "multiply_add_flops_per_s", "share_of_copy", "share_of_copy_beyond_caches",
+           "share_of_multiply_add", "memory_bytes_per_grain", "peak_memory_bytes_per_grain"]
+COLUMNS = ["grains", "law", "threads", "repeats", "steps", *MEDIANS, "least_particle_steps_per_s", "most_particle_steps_per_s",
+           "state_hash"]
+
+
+def steps_for(grains: int, particle_steps: float) -> int:
+    return max(50, min(2000, round(particle_steps / grains)))
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--arenite", type=Path, default=measure.DEFAULT_PROGRAM, help="the program under test")
+    parser.add_argument("--grains", type=int, nargs="+", default=list(packs.GRAINS), choices=packs.GRAINS, help="packs")
+    parser.add_argument("--threads", type=int, nargs="+", default=sorted({1, measure.cores()}))
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--particle-steps", type=float, default=1.5e7, help="of a repeat; 50 steps at least, 2000 at most")
+    arguments = parser.parse_args()
+    rows, memory, torn = [], [], []
+    for grains in arguments.grains:
+        pack = packs.get(grains, arguments.arenite)
+        steps = steps_for(grains, arguments.particle_steps)
+        for law in ("hertz", "jkr"):
+            hashes = set()
+            for threads in arguments.threads:
+                results = measure.bench(arguments.arenite, threads, "--pack", pack.file, "--law", law, "--steps", steps,
+                                        "--warm-up", max(5, steps // 10), "--repeats", arguments.repeats, "--limits")
+                speeds = [result["particle_steps_per_s"] for result in results]
+                medians = [float(statistics.median(result[name] for result in results)) for name in MEDIANS]
+                hashes |= {result["state_hash"] for result in results}
+                rows.append([grains, law, threads, len(results), steps, *medians, min(speeds), max(speeds), results[0]["state_hash"]])
+                print(f"{grains:8} grains, {law:5}, {threads} threads: {medians[0] / 1e6:6.2f} M particle-steps/s, "
+                      f"{100 * medians[MEDIANS.index('share_of_copy')]:.0f} % of a copy", flush=True)
+            memory += [[grains, law, view, size] for view, size in results[0]["memory"].items()]
+            if len(hashes) > 1:
+                torn.append(f"{grains} grains, {law}: the state depends on the threads or the run: {', '.join(sorted(hashes))}")
+    head = measure.header(measure.program_info(arguments.arenite), "medians of the repeats; skin 3e-05 m, dt 1e-8 s, 1000 g",
+                          "copy: as much memory as the pack takes; beyond caches: 512 MiB", *torn)
+    measure.write_table(measure.results_folder() / "roofline.csv", head, COLUMNS, rows)
+    measure.write_table(measure.results_folder() / "memory.csv", head, ["grains", "law", "view", "bytes_per_grain"], memory)
+    for line in torn:
+        print(f"FAILED {line}")
+    return 1 if torn else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
