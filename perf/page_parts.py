@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What the pages that are made from runs share: machine, commit, numbers and tables as text."""
+
 import os
 import pathlib
 import platform
@@ -21,7 +22,9 @@ def machine():
 
 def commit():
     """Short hash of the working tree's commit."""
-    shown = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
+    shown = subprocess.run(
+        ["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True
+    ).stdout.strip()
     return shown or "unknown"
 
 
@@ -31,7 +34,9 @@ def number(value, digits):
 
 def table(columns, rows):
     """Markdown. Columns are titles, those of numbers with a leading >; cells are texts."""
-    lines = ["| " + " | ".join(title.lstrip(">") for title in columns) + " |",
-             "| " + " | ".join("--:" if title.startswith(">") else "---" for title in columns) + " |"]
+    lines = [
+        "| " + " | ".join(title.lstrip(">") for title in columns) + " |",
+        "| " + " | ".join("--:" if title.startswith(">") else "---" for title in columns) + " |",
+    ]
     lines += ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
     return "\n".join(lines)

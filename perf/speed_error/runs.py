@@ -4,6 +4,7 @@
 A run that is already in the folder, made by the same program with the same arguments, is taken as it is: a ladder that
 was stopped goes on, and the page can be written again without running anything.
 """
+
 import csv
 import dataclasses
 import json
@@ -47,20 +48,24 @@ class Runs:
     def __init__(self, program, folder):
         self.program = str(pathlib.Path(program).resolve())
         self.folder = pathlib.Path(folder).resolve()
-        self.version = subprocess.run([self.program, "info"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
-        self.made = 0
+        info = subprocess.run([self.program, "info"], capture_output=True, text=True, check=True).stdout
+        self.version = info.splitlines()[0]
 
     def scene(self, name, scene, settings=None, resume=None, until=None):
         """`arenite run` of a scene with overrides {key: value}, from a checkpoint or from the start."""
         folder = self.folder / name
         arguments = ["run", str(scene), "-o", str(folder)]
-        if resume: arguments += ["--resume", str(resume)]
-        if until: arguments += ["--until", until]
-        for key, value in (settings or {}).items(): arguments += ["--set", f"{key}={value}"]
+        if resume:
+            arguments += ["--resume", str(resume)]
+        if until:
+            arguments += ["--until", until]
+        for key, value in (settings or {}).items():
+            arguments += ["--set", f"{key}={value}"]
         made_of = {"version": self.version, "arguments": arguments, "scene": pathlib.Path(scene).read_text()}
         try:
             kept = json.loads((folder / "cost.json").read_text())
-            if all(kept[key] == value for key, value in made_of.items()): return Run(folder, kept)
+            if all(kept[key] == value for key, value in made_of.items()):
+                return Run(folder, kept)
         except (OSError, ValueError, KeyError):
             pass
         shutil.rmtree(folder, ignore_errors=True)
@@ -70,17 +75,23 @@ class Runs:
         (folder / "cost.json").write_text(json.dumps(made_of | cost))
         return Run(folder, cost)
 
+    def cpu_seconds(self):
+        """Of all runs in the folder that this program made."""
+        costs = [json.loads(path.read_text()) for path in self.folder.glob("*/cost.json")]
+        return sum(cost["cpu_seconds"] for cost in costs if cost["version"] == self.version)
+
     def text(self, *arguments):
-        """Standard output of another command of the program, kept in no folder."""
-        return self._call(list(arguments))[0]
+        """Standard output and processor seconds of another command of the program, kept in no folder."""
+        output, cost = self._call(list(arguments))
+        return output, cost["cpu_seconds"]
 
     def _call(self, arguments):
         environment = os.environ | {"OMP_NUM_THREADS": "1"}
         before, begin = os.times(), time.monotonic()
         done = subprocess.run([self.program, *arguments], capture_output=True, text=True, env=environment)
         after = os.times()
-        if done.returncode: raise SystemExit(f"{' '.join(arguments)}:\n{done.stdout}{done.stderr}")
-        self.made += 1
+        if done.returncode:
+            raise SystemExit(f"{' '.join(arguments)}:\n{done.stdout}{done.stderr}")
         cpu = after.children_user + after.children_system - before.children_user - before.children_system
         print(f"{cpu:8.1f} s  {' '.join(arguments[:2])} ... {arguments[-1]}", flush=True)
         return done.stdout, {"cpu_seconds": cpu, "wall_seconds": time.monotonic() - begin}
