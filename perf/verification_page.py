@@ -11,14 +11,13 @@ import argparse
 import collections
 import datetime
 import json
-import os
 import pathlib
-import platform
-import re
 import subprocess
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+import page_parts
+from page_parts import ROOT, number
+
 PAGE = ROOT / "docs/verification.md"
 
 HEAD = """# Verification
@@ -70,26 +69,11 @@ def run(program, files):
     return json.loads(output), time.time() - start
 
 
-def machine():
-    model = platform.processor() or platform.machine()
-    try:
-        model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text()).group(1)
-    except (OSError, AttributeError):
-        pass
-    return f"{model}, {os.cpu_count()} cores"
-
-
-def number(value, digits):
-    return "–" if value is None else f"{value:.{digits}g}"
-
-
 def table(rows):
-    lines = ["| case | quantity | value | reference | error | limit | source |", "| --- | --- | --: | --: | --: | --: | --- |"]
-    for row in rows:
-        cells = [row["name"], row["quantity"], number(row["value"], 8), number(row["reference"], 8), number(row["error"], 2),
-                 number(row["limit"], 2) + ("" if row["pass"] else " **FAIL**"), row["source"]]
-        lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
-    return "\n".join(lines)
+    return page_parts.table(
+        ["case", "quantity", ">value", ">reference", ">error", ">limit", "source"],
+        [[row["name"], row["quantity"], number(row["value"], 8), number(row["reference"], 8), number(row["error"], 2),
+          number(row["limit"], 2) + ("" if row["pass"] else " **FAIL**"), row["source"]] for row in rows])
 
 
 def draw(rows):
@@ -135,9 +119,9 @@ def main():
     parser.add_argument("--rows", nargs="*")
     arguments = parser.parse_args()
     rows, seconds = run(arguments.program, arguments.rows)
-    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    page = [HEAD.format(date=datetime.date.today().isoformat(), commit=commit or "unknown", machine=machine(), count=len(rows),
-                        failed=sum(not row["pass"] for row in rows), seconds=f", {seconds:.0f} s" if seconds else "")]
+    page = [HEAD.format(date=datetime.date.today().isoformat(), commit=page_parts.commit(), machine=page_parts.machine(),
+                        count=len(rows), failed=sum(not row["pass"] for row in rows),
+                        seconds=f", {seconds:.0f} s" if seconds else "")]
     page += [f"![{title}]({name})\n" for name, title in draw(rows)]
     for group in dict.fromkeys(row["group"] for row in rows):
         page.append(f"\n## {group}\n\n" + table([row for row in rows if row["group"] == group]))

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""The table of values that the ladders support, with the numbers that say so."""
+import page_parts
+
+STEP = ("time step",)
+PRODUCTION = "sample, production"
+HOLE = "flow through the hole"
+FALL = "time to 63.2 % of the terminal speed"
+MASS = "produced mass, kg"
+DISCHARGE = "discharged mass, kg"
+BALANCE = "energy balance"
+SWING = "energy / kinetic energy at the start"
+
+
+def defaults(rows):
+    def row(ladder, case, setting, quantity):
+        found, = [r for r in rows if (r.ladder, r.case, r.setting, r.quantity) == (ladder, case, setting, quantity)]
+        return found
+
+    def error(*where):
+        error, uncertainty = row(*where).error, row(*where).uncertainty
+        return f"{100 * error:.2g} %" if uncertainty is None else f"{100 * error:+.1f} ± {100 * uncertainty:.1f} %"
+
+    def share(ladder, case, setting, other, quantity):
+        return f"{row(ladder, case, setting, quantity).cpu_seconds / row(ladder, case, other, quantity).cpu_seconds:.2f}"
+
+    lines = [
+        ("`time_step_fraction`", "0.4", f"""
+         Hertz's rebound off by {error(*STEP, "pair, Hertz, e = 0.8", "0.4", "the same, worst of 16")} at worst, the energy
+         balance of the production by {error(*STEP, PRODUCTION, "0.4", BALANCE)}; broken bonds
+         {error(*STEP, PRODUCTION, "0.4", "broken bonds")}, produced mass {error(*STEP, PRODUCTION, "0.4", MASS)} against
+         0.1, at {share(*STEP, PRODUCTION, "0.4", "0.1", BALANCE)} of its cost. Beyond, an elastic lattice's energy
+         swings by {error(*STEP, "elastic lattice", "0.6", SWING)} of the kinetic energy at 0.6
+         ({error(*STEP, "elastic lattice", "0.4", SWING)} at 0.4), and grains under a rod are stiffer than the limit's
+         1 MPa"""),
+        ("`fluid.time_step`", "at most 0.02 ms", f"""
+         A settling grain's time is off by {error("coupling", "C1, a grain settles", "10", FALL)} with it, by
+         {error("coupling", "C1, a grain settles", "100", FALL)} with 0.2 ms; 0.056 ms changes the produced mass by
+         {error("coupling", PRODUCTION, "1000", MASS)}. A steady state depends on no step"""),
+        ("`coarse_graining.factor`", "1 where it can be paid", f"""
+         k = 2 discharges {error("k", "discharge", "k = 2", DISCHARGE)}
+         (Beverloo {error("k", "discharge", "k = 2", "Beverloo 1961")}) at
+         {share("k", "discharge", "k = 2", "k = 1", DISCHARGE)} of the cost, SSP
+         {error("k", "discharge", "SSP, k = 2", DISCHARGE)}, k = 4 {error("k", "discharge", "k = 4", DISCHARGE)}"""),
+        ("`fluid.cells`", "0.5 mm at a hole of 2.6 mm", f"""
+         The flow is off by {error("cells", "seepage", "1 mm", HOLE)} at 1 mm,
+         {error("cells", "seepage", "0.5 mm", HOLE)} at 0.5 mm, {error("cells", "seepage", "0.25 mm", HOLE)} at
+         0.25 mm"""),
+        ("`fluid.smoothing_length`", "2 to 3 of the largest grain", f"""
+         Against 0.5 mm, 2 mm changes the flow by {error("smoothing", "seepage", "2 mm", HOLE)}, 3 mm by
+         {error("smoothing", "seepage", "3 mm", HOLE)}"""),
+        ("`fluid.pressure_tolerance`", "1e-8", f"""
+         1e-4 is off by {error("tolerance", "seepage", "0.0001", HOLE)} at
+         {share("tolerance", "seepage", "0.0001", "1e-08", HOLE)} of the cost"""),
+    ]
+    columns = ["key", "value that the ladders support", "why"]
+    cells = [[key, value, " ".join(why.split())] for key, value, why in lines]
+    return "## Defaults\n\n" + page_parts.table(columns, cells) + "\n"

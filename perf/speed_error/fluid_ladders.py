@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""Ladders of the water: coupling interval, cells, smoothing length, tolerance of the pressure solver."""
+import closed_forms
+import rows
+import sample
+
+HOLE = "flow through the hole"
+
+
+def coupling(runs):
+    """Grain steps per fluid step: a settling grain, water through held grains, and the production."""
+    made = []
+    for interval in (1, 3, 10, 30, 100, 300, 1000):
+        error, run = closed_forms.settling(runs, interval)
+        made.append(rows.exact("coupling", "C1, a grain settles", f"{interval}", interval,
+                               "time to 63.2 % of the terminal speed", error, run, "closed form"))
+    pressed, grain_step = sample.pressed(runs), sample.FRACTION * closed_forms.critical_step(friction=True)
+    steady, _ = closed_forms.seepage(runs, pressed, 10, 2e-3)
+    for step, count in ((1e-5, 300), (1e-4, 60), (1e-3, 30), (1e-2, 20)):
+        value, run = closed_forms.seepage(runs, pressed, 10, 2e-3, step=step, count=count)
+        made.append(rows.exact("coupling", "C13, steady seepage", f"{step:g} s", step / grain_step, HOLE,
+                               value / steady - 1, run, "steps of 1 s", value))
+    intervals = (1, 10, 36, 100, 1000)
+    rungs = [sample.rung(f"{n}", sample.productions(runs, sample.FRACTION, 2, interval=n)) for n in intervals]
+    return made + rows.of_rungs("coupling", "sample, production", rungs, intervals)
+
+
+def _seepages(runs, ladder, settings, label, arguments, reference):
+    """Rows of the seepage with one argument changed; the first setting is the reference."""
+    made, first = [], None
+    for setting in settings:
+        value, run = closed_forms.seepage(runs, sample.pressed(runs), **arguments(setting))
+        first = first or value
+        error = value / first - 1 if made else None
+        made.append(rows.exact(ladder, "seepage", label(setting), setting, HOLE, error, run, reference, value))
+    return made
+
+
+def cells(runs):
+    made = _seepages(runs, "cells", (40, 20, 10, 5, 3), lambda n: f"{5 / n:.3g} mm",
+                     lambda n: {"cells": n, "smoothing": 2e-3}, "40^3 cells")
+    counts = (12, 8, 5, 3)
+    rungs = [sample.rung(f"{5 / n:.3g} mm", sample.productions(runs, sample.FRACTION, 2, cells=n)) for n in counts]
+    return made + rows.of_rungs("cells", "sample, production", rungs, counts)
+
+
+def smoothing(runs):
+    return _seepages(runs, "smoothing", (0.5e-3, 0.75e-3, 1e-3, 1.5e-3, 2e-3, 3e-3), lambda s: f"{s * 1e3:g} mm",
+                     lambda s: {"cells": 20, "smoothing": s}, "0.5 mm")
+
+
+def tolerance(runs):
+    return _seepages(runs, "tolerance", (1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2), lambda t: f"{t:g}",
+                     lambda t: {"cells": 20, "smoothing": 2e-3, "tolerance": t}, "1e-12")
