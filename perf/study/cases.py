@@ -1,68 +1,62 @@
 # SPDX-License-Identifier: MIT
-"""The cases of the study: a scene, what is changed in it, and where a case that shares another's sample begins."""
+"""The cases of the study: a scene, what is changed in it, and the case whose sample it goes on from."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+ORIGINAL_COUNT = 270000
+
 
 @dataclass(frozen=True)
 class Case:
     scene: str                      # in scenes/paper
+    note: str                       # what it is, for tables
     changes: dict[str, str] = field(default_factory=dict)  # --set of `arenite run`
-    sample: str = ""                # the case whose sample is taken over, or this one makes its own
-    since: str = ""                 # the stage at whose end it is taken over
-    until: str = ""                 # --until: where it stops before the scene's end
-    note: str = ""
-
-    def commands(self) -> str:
-        return " ".join(f"--set {key}={value}" for key, value in self.changes.items())
+    start: str = ""                 # the case whose folder it is a copy of; made if it is not there
+    until: str = ""                 # the stage after which it stops
 
 
-def coarse(k: int, **changes: str) -> dict[str, str]:
-    """ssw.toml or ssp.toml at another k: as many grains as fill the same sample, and a step that grows with them."""
-    return {"coarse_graining.factor": str(k), "particles.distribution.count": str(round(270000 / k**3)),
-            "stages.production.time_step": f"{k}e-8", **changes}
+CASES: dict[str, Case] = {}
 
 
-def seed(number: int) -> dict[str, str]:
-    return {"random_seed": str(number)}
+def add_sample(name: str, scene: str, note: str, changes: dict[str, str] | None = None) -> None:
+    """Three cases: the pressed sample, the perforated one, and its production. Controls share the first two."""
+    changes = changes or {}
+    CASES[f"{name}-pressed"] = Case(scene, "pressed sample", changes, until="compression")
+    CASES[f"{name}-perforated"] = Case(scene, "perforated sample", changes, f"{name}-pressed", "perforation")
+    CASES[name] = Case(scene, note, changes, f"{name}-perforated")
 
 
-CASES: dict[str, Case] = {
-    "original": Case("original.toml", note="270 000 grains of their own size"),
-    "ssw": Case("ssw.toml", note="k = 2, sizes kept apart"),
-    "ssp": Case("ssp.toml", note="k = 2, one size"),
-    "ssw-k4": Case("ssw.toml", coarse(4), note="k = 4: too coarse for the hole"),
-    "ssw-k4-seed2": Case("ssw.toml", coarse(4) | seed(2), note="another sample"),
-    "ssw-k4-seed3": Case("ssw.toml", coarse(4) | seed(3), note="another sample"),
-    "ssp-k4": Case("ssp.toml", coarse(4), note="k = 4, one size"),
-}
-
-
-def add_controls(sample: str) -> None:
-    """The same sample with one thing changed in the production, or from the perforation on."""
+def add_control(sample: str, name: str, note: str, start: str, changes: dict[str, str]) -> None:
     base = CASES[sample]
-    productions = {
-        "no-fluid": ({"stages.production.fluid": "false"}, "no water"),
-        "no-gravity": ({"stages.production.gravity": "[0,0,0]"}, "no gravity"),
-        "no-fluid-no-gravity": ({"stages.production.fluid": "false", "stages.production.gravity": "[0,0,0]"}, "neither"),
-        "literal-drag": ({"fluid.drag": "di_felice_literal"}, "eq 8 as printed"),
-    }
-    perforations = {
-        "paper-friction": ({"stages.perforation.contact.friction_limit": "paper", "stages.production.contact.friction_limit": "paper"},
-                           "friction limit mu |F_n|"),
-        "break-at-A": ({"stages.perforation.contact.break_point": "A", "stages.production.contact.break_point": "A"},
-                       "bonds break at no overlap"),
-    }
-    for since, controls in (("perforation", productions), ("compression", perforations)):
-        for name, (changes, note) in controls.items():
-            CASES[f"{sample}-{name}"] = Case(base.scene, base.changes | changes, sample, since, note=note)
+    CASES[f"{sample}-{name}"] = Case(base.scene, note, base.changes | changes, f"{sample}-{start}")
 
 
+def in_both(key: str, value: str) -> dict[str, str]:
+    return {f"stages.{stage}.contact.{key}": value for stage in ("perforation", "production")}
+
+
+def coarse(k: int, seed: int = 1) -> dict[str, str]:
+    """ssw.toml or ssp.toml at another k: as many grains as fill the same sample, and a step that grows with them."""
+    return {"coarse_graining.factor": str(k), "particles.distribution.count": str(round(ORIGINAL_COUNT / k**3)),
+            "stages.production.time_step": f"{2.5 * k}e-8", "random_seed": str(seed)}
+
+
+DRY, WEIGHTLESS = {"stages.production.fluid": "false"}, {"stages.production.gravity": "[0,0,0]"}
+
+add_sample("original", "original.toml", "270 000 grains of their own size")
+add_sample("ssw", "ssw.toml", "k = 2, each size times k")
+add_sample("ssp", "ssp.toml", "k = 2, one size")
+add_sample("ssw-k4", "ssw.toml", "k = 4, each size times k", coarse(4))
+add_sample("ssw-k4-seed2", "ssw.toml", "k = 4, another sample", coarse(4, seed=2))
+add_sample("ssw-k4-seed3", "ssw.toml", "k = 4, a third sample", coarse(4, seed=3))
+add_sample("ssp-k4", "ssp.toml", "k = 4, one size", coarse(4))
 for made in ("ssw", "ssw-k4"):
-    add_controls(made)
-CASES["ssw-fine-step"] = Case("ssw.toml", {"stages.production.time_step": "1e-8"}, "ssw", "perforation",
-                              note="the paper's time step, 1e-8 s")
-CASES["ssw-k4-fine-step"] = Case("ssw.toml", coarse(4) | {"stages.production.time_step": "1e-8"}, "ssw-k4", "perforation",
-                                 note="the paper's time step, 1e-8 s")
+    add_control(made, "no-fluid", "no water", "perforated", DRY)
+    add_control(made, "no-gravity", "no gravity", "perforated", WEIGHTLESS)
+    add_control(made, "neither", "neither water nor gravity", "perforated", DRY | WEIGHTLESS)
+    add_control(made, "literal-drag", "drag as eq 8 is printed", "perforated", {"fluid.drag": "di_felice_literal"})
+    add_control(made, "paper-friction", "friction limit μ|Fn|, not μ(Fn + 2Fc)", "pressed", in_both("friction_limit", "paper"))
+    add_control(made, "break-at-A", "bonds break at no overlap (A)", "pressed", in_both("break_point", "A"))
+    add_control(made, "paper-step", "the paper's time step, 1e-8 s", "perforated", {"stages.production.time_step": "1e-8"})
