@@ -10,7 +10,7 @@ ORIGINAL_COUNT = 270000
 
 @dataclass(frozen=True)
 class Case:
-    scene: str                      # in scenes/paper
+    scene: str                      # in scenes
     note: str                       # what it is, for tables
     changes: dict[str, str] = field(default_factory=dict)  # --set of `arenite run`
     start: str = ""                 # the case whose folder it is a copy of; made if it is not there
@@ -40,18 +40,18 @@ def in_both(key: str, value: str) -> dict[str, str]:
 def coarse(k: int, seed: int = 1) -> dict[str, str]:
     """ssw.toml or ssp.toml at another k: as many grains as fill the same sample, and a step that grows with them."""
     return {"coarse_graining.factor": str(k), "particles.distribution.count": str(round(ORIGINAL_COUNT / k**3)),
-            "stages.production.time_step": f"{2.5 * k}e-8", "random_seed": str(seed)}
+            "stages.production.time_step": f"{2.5 * k:g}e-8", "random_seed": str(seed)}
 
 
 DRY, WEIGHTLESS = {"stages.production.fluid": "false"}, {"stages.production.gravity": "[0,0,0]"}
 
-add_sample("original", "original.toml", "270 000 grains of their own size")
-add_sample("ssw", "ssw.toml", "k = 2, each size times k")
-add_sample("ssp", "ssp.toml", "k = 2, one size")
-add_sample("ssw-k4", "ssw.toml", "k = 4, each size times k", coarse(4))
-add_sample("ssw-k4-seed2", "ssw.toml", "k = 4, another sample", coarse(4, seed=2))
-add_sample("ssw-k4-seed3", "ssw.toml", "k = 4, a third sample", coarse(4, seed=3))
-add_sample("ssp-k4", "ssp.toml", "k = 4, one size", coarse(4))
+add_sample("original", "paper/original.toml", "270 000 grains of their own size")
+add_sample("ssw", "paper/ssw.toml", "k = 2, each size times k")
+add_sample("ssp", "paper/ssp.toml", "k = 2, one size")
+add_sample("ssw-k4", "paper/ssw.toml", "k = 4, each size times k", coarse(4))
+add_sample("ssw-k4-seed2", "paper/ssw.toml", "k = 4, another sample", coarse(4, seed=2))
+add_sample("ssw-k4-seed3", "paper/ssw.toml", "k = 4, a third sample", coarse(4, seed=3))
+add_sample("ssp-k4", "paper/ssp.toml", "k = 4, one size", coarse(4))
 for made in ("ssw", "ssw-k4"):
     add_control(made, "no-fluid", "no water", "perforated", DRY)
     add_control(made, "no-gravity", "no gravity", "perforated", WEIGHTLESS)
@@ -60,3 +60,15 @@ for made in ("ssw", "ssw-k4"):
     add_control(made, "paper-friction", "friction limit μ|Fn|, not μ(Fn + 2Fc)", "pressed", in_both("friction_limit", "paper"))
     add_control(made, "break-at-A", "bonds break at no overlap (A)", "pressed", in_both("break_point", "A"))
     add_control(made, "paper-step", "the paper's time step, 1e-8 s", "perforated", {"stages.production.time_step": "1e-8"})
+
+
+def drawdown(kilopascals: float) -> dict[str, str]:
+    """The reservoir's pressure above the well's."""
+    pressure = f"{101325 + 1e3 * kilopascals:g}"
+    return {"fluid.initial_pressure": pressure, "fluid.patches.0.pressure": pressure, "fluid.patches.1.pressure": pressure}
+
+
+add_sample("drawdown-20", "drawdown.toml", "20 kPa", drawdown(20))
+add_control("drawdown-20", "no-fluid", "no water", "perforated", DRY)
+for kilopascals in (1, 5, 10, 40, 80, 160):
+    CASES[f"drawdown-{kilopascals}"] = Case("drawdown.toml", f"{kilopascals} kPa", drawdown(kilopascals), "drawdown-20-perforated")

@@ -41,7 +41,7 @@ def run(name: str, folder: pathlib.Path, program: str, more: list[str]) -> None:
     if case.start and not own.exists():
         run(case.start, folder, program, more)
         shutil.copytree(folder / case.start, own)
-    command = [program, "run", str(ROOT / "scenes/paper" / case.scene), "-o", str(own)]
+    command = [program, "run", str(ROOT / "scenes" / case.scene), "-o", str(own)]
     if list(own.glob("checkpoint-*.h5")):
         command.append("--resume")
     if case.until:
@@ -65,7 +65,7 @@ def main() -> int:
         parser.error(f"no case {', '.join(unknown)}; see --list")
     if options.list or not options.cases:
         for name, case in CASES.items():
-            print(f"{name:26} {case.scene:14} {case.start or '-':24} {case.note}")
+            print(f"{name:26} {case.scene:20} {case.start or '-':24} {case.note}")
         return 0
     for name in options.cases:
         run(name, options.folder, options.program, [word for change in options.set for word in ("--set", change)])

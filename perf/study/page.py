@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes docs/study.md, docs/study.csv and the figures in docs/study/ from the run folders of perf/study/run.py:
+
+    perf/study/page.py [--folder runs/study]
+
+Every number of the page comes from docs/study.csv; --from-csv writes the page anew from it, without the folders and the figures.
+"""
+
+from __future__ import annotations
+
+import argparse
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import results
+from results import ROOT, Row
+
+sys.path.insert(0, str(ROOT / "perf"))
+from page_parts import commit, machine, today  # noqa: E402
+
+PAGE, CSV, FIGURES = ROOT / "docs/study.md", ROOT / "docs/study.csv", ROOT / "docs/study"
+BEVERLOO = {"1": 0.690, "2": 0.447, "4": 0.135}  # (1 - 1.4 d43 / D)^2.5 of SSW; SSP at k = 2: 0.491
+SHOWN = {  # figures of `arenite report` that the page shows, and what they say
+    "figure-10-produced-mass.png": "Produced mass over time.",
+    "figure-11-mass-by-class.png": "Produced mass by size class.",
+    "energy-shares.png": "Energies, works and losses.",
+    "bonds.png": "Bonds.",
+}
+
+HEAD = """# The study: what comes out of the hole, and why
+
+Made by `perf/study/page.py` from the runs of `perf/study/run.py`; do not edit. Page: {date}, commit {commit}, {machine}, one thread a run. The
+numbers are in [study.csv](study.csv), with the commit of every run. The paper is arXiv 2211.06142; its measured points and the data behind its
+curves are not available to us, so nothing here claims to match them.
+
+    perf/study/run.py --list                  # the cases
+    perf/study/run.py ssw-k4                  # one of them, with what it starts from; into runs/study/ssw-k4
+    perf/study/page.py                        # this page
+
+## Set-up
+
+Scenes: `scenes/paper/*.toml`; every choice that the paper leaves open is marked there ("Choice:"), the reasons are in `physics.md`. In short: a
+sample of 18 × 18 × 9 mm is made and pressed to 1 MPa at a porosity of 0.41; all touching grains are bonded (modified JKR, γ = 30 J/m² times k,
+a broken bond stays broken); a rod of 1.7 mm goes in 8.5 mm deep and out again; then the hole of 2.6 mm in the top plate opens, with water
+injected from both sides at 0.1 mm/s (Di Felice's drag, fluid step 1 µs). Grains that pass the hole are counted. Time steps:
+`docs/speed_error.md`. k = 4 is the whole study with 4 219 grains: it is cheap, so the controls and the other samples are run there.
+"""
+
+
+def number(row: Row, column: str) -> float | None:
+    return float(row[column]) if row.get(column) else None
+
+
+def table(header: list[str], rows: list[list[str]]) -> str:
+    rule = ["---", *["--:"] * (len(header) - 1)]
+    return "\n".join("| " + " | ".join(line) + " |" for line in (header, rule, *rows)) + "\n"
+
+
+def shown(value: float | None, form: str, scale: float = 1) -> str:
+    return "–" if value is None else format(scale * value, form)
+
+
+def samples(rows: list[Row]) -> str:
+    lines = []
+    for row in rows:
+        before, after = number(row, "bonds_pressed"), number(row, "bonds_perforated")
+        lines.append([f"`{row['case']}`", row["what"], shown(number(row, "grains"), ".0f"), row["porosity"], row["contacts_per_grain"],
+                      shown(before, ".0f"), shown((before - after) / before if before and after is not None else None, ".1f", 100),
+                      shown(number(row, "wall_pressing_s"), ".0f"), shown(number(row, "wall_perforation_s"), ".0f")])
+    return table(["case", "what", "grains", "porosity", "contacts a grain", "bonds", "broken by the rod [%]", "pressing [s]", "perforation [s]"],
+                 lines)
+
+
+def productions(rows: list[Row], base: Row | None = None) -> str:
+    lines = []
+    for row in rows:
+        mass = number(row, "produced_kg")
+        lines.append([f"`{row['case']}`", row["what"], shown(number(row, "production_s"), ".4g", 1e3), shown(mass, ".2f", 1e6),
+                      row["produced_grains"], shown(number(row, "share_of_sample"), ".3f", 100),
+                      *(shown(number(row, f"produced_at_{moment}ms_kg"), ".2f", 1e6) for moment in (3, 15)),
+                      shown(number(row, "t50_s"), ".2f", 1e3), shown(number(row, "t90_s"), ".2f", 1e3),
+                      shown(bonds_lost(row), ".0f"), shown(number(row, "wall_production_s"), ".0f")])
+    return table(["case", "what", "simulated [ms]", "produced [mg]", "grains", "of the sample [%]", "by 3 ms [mg]", "by 15 ms [mg]", "t50 [ms]",
+                  "t90 [ms]", "bonds broken", "wall time [s]"], lines)
+
+
+def bonds_lost(row: Row) -> float | None:
+    before, after = number(row, "bonds_perforated"), number(row, "bonds_end")
+    return before - after if before is not None and after is not None else None
+
+
+def energy(rows: list[Row]) -> str:
+    """µJ over the production: where the energy came from and where it went."""
+    terms = [("stored in contacts, change", ("change_elastic_energy_J", "change_adhesive_energy_J", "change_tangential_energy_J")),
+             ("work of gravity", ("work_gravity_J",)), ("work of drag", ("work_drag_J",)), ("work of the pressure gradient", ("work_pressure_J",)),
+             ("work of walls", ("work_walls_J",)), ("lost in normal dashpots", ("loss_damping_J",)),
+             ("lost in contact planes", ("loss_tangential_J",)), ("lost as bonds broke", ("loss_adhesion_J",)),
+             ("left with the produced grains", ("energy_removed_J",)), ("residual", ("energy_residual_J",))]
+    known = [row for row in rows if number(row, "work_gravity_J") is not None]
+    if not known:
+        return ""
+    lines = []
+    for name, columns in terms:
+        cells = []
+        for row in known:
+            values = [number(row, column) for column in columns]
+            cells.append(shown(sum(value for value in values if value is not None), ".4g", 1e6))
+        lines.append([name, *cells])
+    return table(["[µJ]", *(f"`{row['case']}`" for row in known)], lines)
+
+
+def controls_of(rows: list[Row], base: str) -> list[Row]:
+    return [row for row in rows if row["case"] == base or (row["case"].startswith(base + "-") and "seed" not in row["case"]
+                                                           and not row["case"].startswith(base + "-k4"))]
+
+
+def draw(folder: pathlib.Path, program: str, cases: list[str]) -> list[str]:
+    """The figures of `arenite report` of these cases, into docs/study."""
+    FIGURES.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        page = pathlib.Path(scratch) / "report.html"
+        subprocess.run([program, "report", *(str(folder / case) for case in cases), "-o", str(page)], check=True)
+        made = sorted((pathlib.Path(scratch) / "report").glob("*.png"))
+        for picture in made:
+            shutil.copyfile(picture, FIGURES / picture.name)
+    return [picture.name for picture in made]
+
+
+def page(rows: list[Row], where: dict[str, str]) -> str:
+    import findings
+    parts = [HEAD.format(**where)]
+    mains = [row for row in rows if not any(row["case"].startswith(base + "-") and row in controls_of(rows, base)
+                                            for base in ("ssw", "ssw-k4"))]
+    parts.append("\n## Samples\n\n" + samples(mains))
+    parts.append("\n## Production\n\n" + productions(mains) + "\nt50 and t90: when half and nine tenths of what came in the simulated time had "
+                 "come. `k` below 4 has fewer runs because each takes an hour or more.\n")
+    for name, caption in findings.FIGURES.items():
+        if (FIGURES / name).exists():
+            parts.append(f"\n![{caption}](study/{name})\n\n*{caption}*\n")
+    for base in ("ssw", "ssw-k4"):
+        controls = controls_of(rows, base)
+        if len(controls) > 1:
+            parts.append(f"\n## What drives the sand out: controls of `{base}`\n\nThe same sample, one thing changed.\n\n" + productions(controls))
+            balance = energy(controls)
+            if balance:
+                parts.append("\nEnergy over the production:\n\n" + balance)
+    parts.append(findings.text(rows))
+    return "".join(parts)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "runs/study")
+    parser.add_argument("--program", default=str(ROOT / "build/openmp/apps/arenite"))
+    parser.add_argument("--from-csv", action="store_true", help="only the page, from docs/study.csv")
+    options = parser.parse_args()
+    if not options.from_csv:
+        rows = results.collect(options.folder)
+        if not rows:
+            parser.error(f"no case of the study with a production in {options.folder}")
+        results.write(rows, CSV)
+        draw(options.folder, options.program, [row["case"] for row in rows if row["case"] in ("original", "ssw", "ssp", "ssw-k4", "ssp-k4")])
+    PAGE.write_text(page(results.read(CSV), {"date": today(), "commit": commit(), "machine": machine()}), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
