@@ -46,12 +46,8 @@ def rebound_errors(runs, fraction, law, count=16, speed=2.0):
     rows = [(s * h, n * 1e-3, 0, DIAMETER, -s * speed / 2, 0, 0) for n, h in enumerate(half) for s in (-1, 1)]
     grains = write_grains(runs, "pairs", rows)
     probes = ", ".join(f'{{ name = "{n}", grain = {2 * n} }}' for n in range(count))
-    settings = {
-        "particles.file": f'"{grains}"',
-        "stages.collision.time_step": fraction * critical_step(friction=True),
-        "output.probes": f"[{probes}]",
-        "stages.collision.contact.law": law,
-    }
+    settings = {"particles.file": f'"{grains}"', "stages.collision.time_step": fraction * critical_step(friction=True),
+                "output.probes": f"[{probes}]", "stages.collision.contact.law": law}
     exact = 0.8 * speed
     if law == "jkr":
         settings |= {"materials.sand.surface_energy": GAMMA, "materials.sand.restitution": 1}
@@ -106,11 +102,8 @@ def settling(runs, interval):
     """Relative error of the time to 63.2 % of the terminal speed, a fluid step per `interval` grain steps; and the run."""
     share = 1 - math.exp(-1)
     exact, terminal = fall_times(0.3e-3, share)
-    run = runs.scene(
-        f"settling-{interval}",
-        SCENES / "settling.toml",
-        {"fluid.coupling_interval": interval, "stages.fall.duration": 0.012, "output.history_interval": 2e-5},
-    )
+    settings = {"fluid.coupling_interval": interval, "stages.fall.duration": 0.012, "output.history_interval": 2e-5}
+    run = runs.scene(f"settling-{interval}", SCENES / "settling.toml", settings)
     with open(run.folder / "probe-grain.csv", newline="") as file:
         rows = [(float(row["time"]), -float(row["vz"])) for row in csv.DictReader(file)]
     for (t0, v0), (t1, v1) in zip(rows, rows[1:]):
@@ -124,19 +117,9 @@ def seepage(runs, pressed, cells, smoothing, tolerance=1e-8, step=1, count=4):
     steps of `step` [s]; and the run. The water's own time is 0.2 ms."""
     porosity = pressed.history("compression/relax")["porosity"][-1]
     height = 1600 * math.pi / 6 * (2 * 0.22948e-3) ** 3 / (25e-6 * (1 - porosity))  # of 1600 grains of k d30
-    run = runs.scene(
-        f"seepage-{cells}-{smoothing:g}-{tolerance:g}-{step:g}",
-        HERE / "bed.toml",
-        {
-            "particles.file": f'"{pressed.last_checkpoint()}"',
-            "fluid.cells": [cells] * 3,
-            "fluid.box.upper": [2.5e-3, 2.5e-3, height],
-            "fluid.patches.1.center": [0, 0, height],
-            "fluid.smoothing_length": smoothing,
-            "fluid.pressure_tolerance": tolerance,
-            "stages.seepage.time_step": step,
-            "stages.seepage.duration": count * step,
-            "output.history_interval": step,
-        },
-    )
+    settings = {"particles.file": f'"{pressed.last_checkpoint()}"', "fluid.cells": [cells] * 3,
+                "fluid.box.upper": [2.5e-3, 2.5e-3, height], "fluid.patches.1.center": [0, 0, height],
+                "fluid.smoothing_length": smoothing, "fluid.pressure_tolerance": tolerance,
+                "stages.seepage.time_step": step, "stages.seepage.duration": count * step, "output.history_interval": step}
+    run = runs.scene(f"seepage-{cells}-{smoothing:g}-{tolerance:g}-{step:g}", HERE / "bed.toml", settings)
     return run.history("seepage")["outflow"][-1], run

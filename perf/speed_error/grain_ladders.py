@@ -22,7 +22,7 @@ def time_step(runs):
             add(case, "the same, worst of 16", worst, run, "closed form")
         swing, run = closed_forms.lattice_energy_error(runs, fraction)
         add("elastic lattice", "energy / kinetic energy at the start", swing, run, "conserved")
-    counts = {0.1: 2, 0.2: 3, 0.4: 4, 0.6: 4, 0.8: 4}
+    counts = {0.1: 1, 0.2: 3, 0.4: 4, 0.6: 4, 0.8: 4}
     for case, make in (("sample, perforation", sample.perforations), ("sample, production", sample.productions)):
         rungs = [sample.rung(f"{fraction:g}", make(runs, fraction, count)) for fraction, count in counts.items()]
         made += rows.of_rungs("time step", case, rungs, counts) + rows.of_balances("time step", case, rungs, counts)
@@ -77,9 +77,8 @@ def skin(runs, side=8, steps=40000):
                                 "--repeats", "1", "--gravity", "20000", "--skin", f"{share * 0.3e-3:g}")
         result = json.loads(output)
         first = first or result["state_hash"]
-        for quantity, value, error in (("searches", result["searches"], None),
-                                       ("candidates a grain", result["candidates_per_grain"], None),
-                                       ("another hash than the first row", None, float(result["state_hash"] != first))):
-            made.append(rows.Row("skin", "falling cloud", f"{share:g}", share, quantity, value, error, None, cpu,
+        for quantity, value in (("searches", result["searches"]), ("candidates a grain", result["candidates_per_grain"]),
+                                ("hashes unlike the first row's", int(result["state_hash"] != first))):
+            made.append(rows.Row("skin", "falling cloud", f"{share:g}", share, quantity, value, None, None, cpu,
                                  side**3 * steps / cpu, "hash of the state"))
     return made

@@ -6,7 +6,7 @@ import math
 import page_parts
 from defaults import defaults
 from page_parts import ROOT
-from text import BEHIND, FRONT, FRONTS, HEAD, SECTIONS
+from text import BEHIND, FRONT, FRONTS, HEAD, SECTIONS, SLOPED
 
 
 def chosen(rows, ladder, case=None, quantity=None):
@@ -27,6 +27,14 @@ def cell(row):
     return percent(row.error, row.uncertainty)
 
 
+def slope(rows):
+    """Of log error against log setting, where at least three errors are exact; as text."""
+    points = [(math.log(row.position), math.log(abs(row.error))) for row in rows if row.uncertainty is None and row.error]
+    if len(points) < 3: return "–"
+    x, y = (sum(values) / len(points) for values in zip(*points))
+    return f"{sum((a - x) * (b - y) for a, b in points) / sum((a - x)**2 for a, _ in points):.1f}"
+
+
 def ladder_table(rows, first):
     """Settings down, quantities across, cost behind them. `first` is the title of the settings."""
     quantities = list(dict.fromkeys(row.quantity for row in rows))
@@ -37,6 +45,8 @@ def ladder_table(rows, first):
         speed = cost.grain_steps_per_second
         lines.append([setting] + [cell(mine[q]) if q in mine else "–" for q in quantities] +
                      [f"{cost.cpu_seconds:.3g}", f"{speed / 1e6:.2f}" if speed else "–"])
+    slopes = [slope([row for row in rows if row.quantity == q]) for q in quantities]
+    if rows[0].case in SLOPED and set(slopes) != {"–"}: lines.append(["slope"] + slopes + ["", ""])
     return page_parts.table([first] + [">" + q for q in quantities] + [">CPU s", ">10^6 grain-steps/s"], lines)
 
 

@@ -52,6 +52,10 @@ others nothing does.
 """),
 ]
 
+# cases whose error is to fall with the setting: the slope of log error against log setting is shown
+SLOPED = {"pair, Hertz, e = 0.8", "pair, JKR, e = 1", "elastic lattice", "sample, perforation", "sample, production",
+          "C1, a grain settles"}
+
 # what it is called, (ladder, case, quantity) of the error, (ladder, case, quantity) of the cost
 FRONTS = [
     ("time step: Hertz rebound, worst", ("time step", "pair, Hertz, e = 0.8", "the same, worst of 16"),
