@@ -25,14 +25,16 @@ def defaults(rows):
         return f"{row(ladder, case, setting, quantity).cpu_seconds / row(ladder, case, other, quantity).cpu_seconds:.2f}"
 
     lines = [
-        ("`time_step_fraction`", "0.4", f"""
-         Hertz's rebound off by {error(*STEP, "pair, Hertz, e = 0.8", "0.4", "the same, worst of 16")} at worst, the energy
-         balance of the production by {error(*STEP, PRODUCTION, "0.4", BALANCE)}; broken bonds
-         {error(*STEP, PRODUCTION, "0.4", "broken bonds")}, produced mass {error(*STEP, PRODUCTION, "0.4", MASS)} against
-         0.1, at {share(*STEP, PRODUCTION, "0.4", "0.1", BALANCE)} of its cost. Beyond, an elastic lattice's energy
-         swings by {error(*STEP, "elastic lattice", "0.6", SWING)} of the kinetic energy at 0.6
-         ({error(*STEP, "elastic lattice", "0.4", SWING)} at 0.4), and grains under a rod are stiffer than the limit's
-         1 MPa"""),
+        ("`time_step_fraction`", "0.4; 0.2 where single bonds count", f"""
+         Against 0.2, at {share(*STEP, PRODUCTION, "0.4", "0.2", BALANCE)} of its cost: work of the rod
+         {error(*STEP, "sample, perforation", "0.4", "work of the rod, J")}, bonds that it breaks
+         {error(*STEP, "sample, perforation", "0.4", "broken bonds")}; produced mass {error(*STEP, PRODUCTION, "0.4", MASS)},
+         released energy {error(*STEP, PRODUCTION, "0.4", "released energy, J")}, bonds that break meanwhile
+         {error(*STEP, PRODUCTION, "0.4", "broken bonds")}; the balance lacks {error(*STEP, PRODUCTION, "0.4", BALANCE)}.
+         Hertz's rebound is off by {error(*STEP, "pair, Hertz, e = 0.8", "0.4", "the same, worst of 16")} at worst. At 0.6
+         the rod's work is off by {error(*STEP, "sample, perforation", "0.6", "work of the rod, J")} and the energy of an
+         elastic lattice swings by {error(*STEP, "elastic lattice", "0.6", SWING)} of the kinetic energy
+         ({error(*STEP, "elastic lattice", "0.4", SWING)} at 0.4)"""),
         ("`fluid.time_step`", "at most 0.02 ms", f"""
          A settling grain's time is off by {error("coupling", "C1, a grain settles", "10", FALL)} with it, by
          {error("coupling", "C1, a grain settles", "100", FALL)} with 0.2 ms; 0.056 ms changes the produced mass by
