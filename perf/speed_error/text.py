@@ -32,7 +32,7 @@ sample 0.056 us; the seepage is that of the sections below.
 """),
     ("Coarse graining", "front", "k", "grains", """
 Dry sand runs out of a hole of 2.6 mm in the floor (`discharge.toml`), where Beverloo's law, (1 - 1.4 d43/D)^2.5, says
-what finite size costs. Means over two random seeds at k = 1, four of the others. The bonded sample at k = 1 takes too
+what finite size costs. One random seed at k = 1, means over four of the others. The bonded sample at k = 1 takes too
 long for a ladder.
 """),
     ("Cells", None, "cells", "cell", """
