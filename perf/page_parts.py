@@ -1,23 +1,15 @@
 # SPDX-License-Identifier: MIT
 """What the pages that are made from runs share: machine, commit, numbers and tables as text."""
 
-import os
-import pathlib
-import platform
-import re
 import subprocess
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+import measure
+from measure import ROOT
 
 
 def machine():
     """The processor's model and the number of cores."""
-    model = platform.processor() or platform.machine()
-    try:
-        model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text()).group(1)
-    except (OSError, AttributeError):
-        pass
-    return f"{model}, {os.cpu_count()} cores"
+    return f"{measure.cpu_model()}, {measure.cores()} cores"
 
 
 def commit():

@@ -3,6 +3,7 @@
 import datetime
 import math
 
+import measure
 import page_parts
 from defaults import defaults
 from page_parts import ROOT
@@ -122,11 +123,11 @@ def draw(rows):
     figure("front", lambda axes: draw_discharge(axes, rows), lambda axes: draw_front(axes, rows))
 
 
-def write(rows, name, version, minutes):
-    """docs/speed_error.md and its figures. `name`: the machine's folder in perf/results; `minutes`: processor time."""
+def write(rows, version, minutes):
+    """docs/speed_error.md and its figures; `minutes` is the processor time of all runs."""
     draw(rows)
-    parts = [HEAD.format(date=datetime.date.today().isoformat(), name=name, version=version, machine=page_parts.machine(),
-                         minutes=minutes), defaults(rows)]
+    parts = [HEAD.format(date=datetime.date.today().isoformat(), name=measure.machine_name(), version=version,
+                         machine=page_parts.machine(), minutes=minutes), defaults(rows)]
     for title, figure, ladder, first, words in SECTIONS:
         parts.append(f"## {title}\n{words}")
         if figure: parts.append(f"![{title}](speed_error_{figure}.png)\n")

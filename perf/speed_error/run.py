@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Speed against error: runs the ladders and writes docs/speed_error.md, its figures and the CSV of all rows.
 
-    perf/speed_error/run.py build/openmp/apps/arenite [--machine epyc-2core] [--only LADDER ...] [--folder DIR]
+    perf/speed_error/run.py [--arenite PROGRAM] [--only LADDER ...] [--folder DIR]
 
 With --only the page is not written; runs that are in the folder already are taken from there (runs.py), so
 ladders may be made one by one and the page at the end. Needs matplotlib.
 """
 import argparse
-import csv
 import dataclasses
 import pathlib
 import sys
@@ -16,9 +15,9 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import fluid_ladders
 import grain_ladders
+import measure
 import page
 import runs
-from page_parts import ROOT
 from rows import Row
 
 LADDERS = {"time_step": grain_ladders.time_step, "seeds": grain_ladders.seeds, "coupling": fluid_ladders.coupling,
@@ -26,28 +25,19 @@ LADDERS = {"time_step": grain_ladders.time_step, "seeds": grain_ladders.seeds, "
            "tolerance": fluid_ladders.tolerance, "skin": grain_ladders.skin}
 
 
-def write_csv(path, rows, version):
-    with open(path, "w", newline="") as file:
-        file.write(f"# {version}; perf/speed_error/run.py; one thread\n")
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow([field.name for field in dataclasses.fields(Row)])
-        for row in rows:
-            writer.writerow(["" if value is None else f"{value:.6g}" if isinstance(value, float) else value
-                             for value in dataclasses.astuple(row)])
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("program", help="the arenite program")
-    parser.add_argument("--machine", default="epyc-2core", help="folder of perf/results that takes the CSV")
+    parser.add_argument("--arenite", default=measure.DEFAULT_PROGRAM, help="the program")
     parser.add_argument("--only", nargs="+", choices=LADDERS)
-    parser.add_argument("--folder", default=ROOT / "runs/speed_error", help="of the runs")
+    parser.add_argument("--folder", default=measure.ROOT / "runs/speed_error", help="of the runs")
     arguments = parser.parse_args()
-    work = runs.Runs(arguments.program, arguments.folder)
+    work = runs.Runs(arguments.arenite, arguments.folder)
     rows = [row for name in arguments.only or LADDERS for row in LADDERS[name](work)]
     if arguments.only: return
-    write_csv(ROOT / "perf/results" / arguments.machine / "speed_error.csv", rows, work.version)
-    page.write(rows, arguments.machine, work.version, work.cpu_seconds() / 60)
+    comments = measure.header(measure.program_info(work.program))[:2] + ["perf/speed_error/run.py, one thread"]
+    columns = [field.name for field in dataclasses.fields(Row)]
+    measure.write_table(measure.results_folder() / "speed_error.csv", comments, columns, map(dataclasses.astuple, rows))
+    page.write(rows, work.version, work.cpu_seconds() / 60)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 
 HEAD = """# Speed against error
 
-Made by `perf/speed_error/run.py build/openmp/apps/arenite`; do not edit. {date}; {version}; {machine}, shared with
+Made by `perf/speed_error/run.py`; do not edit. {date}; {version}; {machine}, some of it beside
 other programs. {minutes:.0f} minutes of one core in all. A cost is the processor time of a whole run on one thread,
 start and output included. All rows: `perf/results/{name}/speed_error.csv`.
 
