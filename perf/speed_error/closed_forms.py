@@ -121,5 +121,5 @@ def seepage(runs, pressed, cells, smoothing, tolerance=1e-8, step=1, count=4):
                 "fluid.box.upper": [2.5e-3, 2.5e-3, height], "fluid.patches.1.center": [0, 0, height],
                 "fluid.smoothing_length": smoothing, "fluid.pressure_tolerance": tolerance,
                 "stages.seepage.time_step": step, "stages.seepage.duration": count * step, "output.history_interval": step}
-    run = runs.scene(f"seepage-{cells}-{smoothing:g}-{tolerance:g}-{step:g}", HERE / "bed.toml", settings)
+    run = runs.scene(f"seepage-{cells}-{smoothing:g}-{tolerance:g}-{step:g}-{count}", HERE / "bed.toml", settings)
     return run.history("seepage")["outflow"][-1], run

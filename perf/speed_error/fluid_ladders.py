@@ -53,4 +53,4 @@ def smoothing(runs):
 
 def tolerance(runs):
     return _seepages(runs, "tolerance", (1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2), lambda t: f"{t:g}",
-                     lambda t: {"cells": 20, "smoothing": 2e-3, "tolerance": t}, "1e-12")
+                     lambda t: {"cells": 20, "smoothing": 2e-3, "tolerance": t, "count": 1}, "1e-12")

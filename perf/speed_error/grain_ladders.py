@@ -60,7 +60,7 @@ def coarse_graining(runs):
     return made
 
 
-def skin(runs, side=8, steps=20000):
+def skin(runs, side=8, steps=100000):
     """A loose cloud falls and piles up; the state after it as a hash, which no skin may change."""
     chance, pitch, text = random.Random(1), 0.8e-3, ""
     for site in [(i, j, k) for k in range(side) for j in range(side) for i in range(side)]:

@@ -52,13 +52,14 @@ def ladder_table(rows, first):
 
 
 def front(rows, errors, costs):
-    """Of rungs that have both: (setting, cost over that of the dearest, error, no rung is both cheaper and nearer)."""
+    """Of rungs that have both: (setting, cost over that of the dearest, error, whether no rung is both cheaper and nearer
+    by more than twice what the runs can tell)."""
     cost_of = {row.position: row.cpu_seconds for row in chosen(rows, *costs)}
-    points = [(row.setting, cost_of[row.position], abs(row.error)) for row in chosen(rows, *errors)
-              if row.error is not None and row.position in cost_of]
-    dearest = max(cost for _, cost, _ in points)
-    return [(setting, cost / dearest, error, not any(c < cost and e <= error for _, c, e in points))
-            for setting, cost, error in points]
+    points = [(row.setting, cost_of[row.position], abs(row.error), 2 * (row.uncertainty or 0))
+              for row in chosen(rows, *errors) if row.error is not None and row.position in cost_of]
+    dearest = max(cost_of.values())
+    return [(setting, cost / dearest, error, not any(c < cost and e + doubt <= error for _, c, e, _ in points))
+            for setting, cost, error, doubt in points]
 
 
 def draw_ladder(axes, rows, title, scattered):
