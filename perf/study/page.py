@@ -10,27 +10,25 @@ Every number of the page comes from docs/study.csv; --from-csv writes the page a
 from __future__ import annotations
 
 import argparse
+import datetime
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
 
+from PIL import Image
+
+import findings
 import results
+from cases import CASES
 from results import ROOT, Row
 
 sys.path.insert(0, str(ROOT / "perf"))
-from page_parts import commit, machine, today  # noqa: E402
+from page_parts import commit, machine  # noqa: E402
 
+LARGEST = 300_000  # bytes of a figure
 PAGE, CSV, FIGURES = ROOT / "docs/study.md", ROOT / "docs/study.csv", ROOT / "docs/study"
-BEVERLOO = {"1": 0.690, "2": 0.447, "4": 0.135}  # (1 - 1.4 d43 / D)^2.5 of SSW; SSP at k = 2: 0.491
-SHOWN = {  # figures of `arenite report` that the page shows, and what they say
-    "figure-10-produced-mass.png": "Produced mass over time.",
-    "figure-11-mass-by-class.png": "Produced mass by size class.",
-    "energy-shares.png": "Energies, works and losses.",
-    "bonds.png": "Bonds.",
-}
-
 HEAD = """# The study: what comes out of the hole, and why
 
 Made by `perf/study/page.py` from the runs of `perf/study/run.py`; do not edit. Page: {date}, commit {commit}, {machine}, one thread a run. The
@@ -47,7 +45,9 @@ Scenes: `scenes/paper/*.toml`; every choice that the paper leaves open is marked
 sample of 18 × 18 × 9 mm is made and pressed to 1 MPa at a porosity of 0.41; all touching grains are bonded (modified JKR, γ = 30 J/m² times k,
 a broken bond stays broken); a rod of 1.7 mm goes in 8.5 mm deep and out again; then the hole of 2.6 mm in the top plate opens, with water
 injected from both sides at 0.1 mm/s (Di Felice's drag, fluid step 1 µs). Grains that pass the hole are counted. Time steps:
-`docs/speed_error.md`. k = 4 is the whole study with 4 219 grains: it is cheap, so the controls and the other samples are run there.
+`speed_error.md`. k = 4 is the whole study with 4 219 grains: it is cheap, so controls and other samples are run there first.
+`drawdown-*` is `scenes/drawdown.toml` (4 200 grains, k = 2, bonds a hundredth of the paper's), one perforated sample under a series of pressures of
+the reservoir above the well's.
 """
 
 
@@ -75,7 +75,7 @@ def samples(rows: list[Row]) -> str:
                  lines)
 
 
-def productions(rows: list[Row], base: Row | None = None) -> str:
+def productions(rows: list[Row]) -> str:
     lines = []
     for row in rows:
         mass = number(row, "produced_kg")
@@ -113,41 +113,57 @@ def energy(rows: list[Row]) -> str:
     return table(["[µJ]", *(f"`{row['case']}`" for row in known)], lines)
 
 
-def controls_of(rows: list[Row], base: str) -> list[Row]:
-    return [row for row in rows if row["case"] == base or (row["case"].startswith(base + "-") and "seed" not in row["case"]
-                                                           and not row["case"].startswith(base + "-k4"))]
+SAMPLES = [name for name, case in CASES.items() if case.start == f"{name}-perforated"]
+CONTROLLED = {"ssw": "Controls of `ssw`: one thing changed", "ssw-k4": "Controls of `ssw-k4`: one thing changed",
+              "drawdown-20": "A series of drawdowns"}
 
 
-def draw(folder: pathlib.Path, program: str, cases: list[str]) -> list[str]:
-    """The figures of `arenite report` of these cases, into docs/study."""
+def controls_of(base: str) -> list[str]:
+    """The case and all that share its pressed or perforated sample."""
+    return [name for name, case in CASES.items() if case.start in (f"{base}-pressed", f"{base}-perforated") and not case.until]
+
+
+def store(picture: pathlib.Path, path: pathlib.Path) -> None:
+    """A copy of at most LARGEST bytes, for the repository: with fewer colours, then smaller."""
+    if picture.stat().st_size <= LARGEST:
+        shutil.copyfile(picture, path)
+        return
+    image = Image.open(picture).convert("RGB")
+    for width in (1300, 1100, 900, 700):
+        image.resize((width, round(image.height * width / image.width)), Image.LANCZOS).quantize(128).save(path, optimize=True)
+        if path.stat().st_size <= LARGEST:
+            return
+
+
+def draw(folder: pathlib.Path, program: str, cases: list[str], prefix: str, wanted: tuple[str, ...]) -> None:
+    """Figures of `arenite report` of these cases, into docs/study."""
+    if not cases:
+        return
     FIGURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
-        page = pathlib.Path(scratch) / "report.html"
-        subprocess.run([program, "report", *(str(folder / case) for case in cases), "-o", str(page)], check=True)
-        made = sorted((pathlib.Path(scratch) / "report").glob("*.png"))
-        for picture in made:
-            shutil.copyfile(picture, FIGURES / picture.name)
-    return [picture.name for picture in made]
+        report = pathlib.Path(scratch) / "report.html"
+        subprocess.run([program, "report", *(str(folder / case) for case in cases), "-o", str(report)], check=True)
+        for picture in sorted(report.with_suffix("").glob("*.png")):
+            if any(word in picture.name for word in wanted):
+                store(picture, FIGURES / (prefix + picture.name))
 
 
 def page(rows: list[Row], where: dict[str, str]) -> str:
-    import findings
     parts = [HEAD.format(**where)]
-    mains = [row for row in rows if not any(row["case"].startswith(base + "-") and row in controls_of(rows, base)
-                                            for base in ("ssw", "ssw-k4"))]
-    parts.append("\n## Samples\n\n" + samples(mains))
-    parts.append("\n## Production\n\n" + productions(mains) + "\nt50 and t90: when half and nine tenths of what came in the simulated time had "
-                 "come. `k` below 4 has fewer runs because each takes an hour or more.\n")
+    parts.append("\n## Samples\n\n" + samples([row for row in rows if row["case"] in SAMPLES]))
+    parts.append("\n## Production: the paper's scene\n\n" + productions([row for row in rows if row["case"] in SAMPLES and "drawdown" not in row["case"]])
+                 + "\nt50 and t90: when half and nine tenths of what came in the simulated time had come.\n")
+    for base, title in CONTROLLED.items():
+        controls = [row for row in rows if row["case"] in controls_of(base)]
+        if len(controls) < 2:
+            continue
+        parts.append(f"\n## {title}\n\n" + productions(controls))
+        balance = energy(controls)
+        if balance:
+            parts.append("\nEnergy over the production:\n\n" + balance)
     for name, caption in findings.FIGURES.items():
         if (FIGURES / name).exists():
             parts.append(f"\n![{caption}](study/{name})\n\n*{caption}*\n")
-    for base in ("ssw", "ssw-k4"):
-        controls = controls_of(rows, base)
-        if len(controls) > 1:
-            parts.append(f"\n## What drives the sand out: controls of `{base}`\n\nThe same sample, one thing changed.\n\n" + productions(controls))
-            balance = energy(controls)
-            if balance:
-                parts.append("\nEnergy over the production:\n\n" + balance)
     parts.append(findings.text(rows))
     return "".join(parts)
 
@@ -163,8 +179,10 @@ def main() -> int:
         if not rows:
             parser.error(f"no case of the study with a production in {options.folder}")
         results.write(rows, CSV)
-        draw(options.folder, options.program, [row["case"] for row in rows if row["case"] in ("original", "ssw", "ssp", "ssw-k4", "ssp-k4")])
-    PAGE.write_text(page(results.read(CSV), {"date": today(), "commit": commit(), "machine": machine()}), encoding="utf-8")
+        have = [row["case"] for row in rows]
+        draw(options.folder, options.program, [case for case in have if case == "ssw"], "", ("figure-6", "figure-9"))
+        draw(options.folder, options.program, [case for case in controls_of("drawdown-20") if case in have], "drawdown-", ("figure-10", "figure-11"))
+    PAGE.write_text(page(results.read(CSV), {"date": datetime.date.today().isoformat(), "commit": commit(), "machine": machine()}), encoding="utf-8")
     return 0
 
 
