@@ -30,13 +30,13 @@ KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, 
 {
     int index[lane_count];
     for (int n = 0; n < lane_count; ++n) index[n] = pairs.index(material(i[n]), material(j[n]));
-    if constexpr (lane_count == 1) return evaluate(pairs(index[0]), LaneMask(true));
-    for (int n = 0; n < lane_count; ++n) {
-        bool done = false;
-        for (int m = 0; m < n; ++m) done = done || index[m] == index[n];
-        if (done) continue;
-        evaluate(pairs(index[n]), make_lanes([&](int m) { return static_cast<Real>(index[m] == index[n]); }) > Lanes(0));
-    }
+    if constexpr (lane_count == 1) evaluate(pairs(index[0]), LaneMask(true));
+    else
+        for (int n = 0; n < lane_count; ++n) {
+            bool done = false;
+            for (int m = 0; m < n; ++m) done = done || index[m] == index[n];
+            if (!done) evaluate(pairs(index[n]), make_lanes([&](int m) { return static_cast<Real>(index[m] == index[n]); }) > Lanes(0));
+        }
 }
 
 } // namespace arenite

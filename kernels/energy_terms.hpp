@@ -129,7 +129,7 @@ template <class Law> struct PairPower {
         auto const sum = [&](Lanes const& power) { return sum_of_lanes(select(touching, power, Lanes(0))); };
         terms[0] = sum(split.damping);
         terms[1] = sum(split.tangential);
-        if (box.deforms()) terms[2] = sum(-dot(contact.force, stretch));
+        terms[2] = sum(-dot(contact.force, stretch));
         terms[4] = sum(dot(contact.force, approach) + turning);
         return terms;
     }
