@@ -79,7 +79,7 @@ def against_paper(rows: list[Row]) -> str:
     lines.append(("SSW is closer to the original than SSP (RMSRE 13 % and 20 %)", missing if len(compared) < 3 else "see `arenite report`"))
     lines.append(("SSP equals the original at first, then exceeds it (fig 10)", missing if len(compared) < 3 else "see `arenite report`"))
     lines.append(("speed-up of 8.1 by k = 2 at one step (table 5)", "a run costs as grains times steps: 8 by the grains, twice that with the step that "
-                  "k = 2 allows; measured in `docs/performance.md`"))
+                  "k = 2 allows; not timed side by side yet"))
     return "| the paper | here |\n| --- | --- |\n" + "".join(f"| {a} | {b} |\n" for a, b in lines)
 
 
