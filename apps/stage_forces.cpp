@@ -42,8 +42,8 @@ void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunSt
     forces.pair_power = [&state, law](View1<std::uint8_t> const& adhered) {
         return std::visit(
             [&](auto const& l) {
-                int const blocks = (state.contacts.count + lane_count - 1) / lane_count;
-                return contact_power(reproducible_sums<6>(state.sums, "pair_power", blocks, pair_terms(l, state, adhered)));
+                return contact_power(
+                    reproducible_sums<6>(state.sums, "pair_power", blocks_of(state.contacts), pair_terms(l, state, adhered)));
             },
             law);
     };

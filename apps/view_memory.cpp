@@ -58,7 +58,6 @@ std::map<std::string, double> ViewMemory::by_label()
     return bytes;
 }
 
-double ViewMemory::total() { return count.total; }
 double ViewMemory::peak() { return count.peak; }
 
 } // namespace arenite

@@ -20,8 +20,7 @@ public:
     /// Bytes of the Views that live now, by label.
     static std::map<std::string, double> by_label();
 
-    static double total(); // bytes now
-    static double peak();  // most bytes at any time: the lists being rebuilt beside the old ones
+    static double peak(); // most bytes at any time: the lists being rebuilt beside the old ones
 };
 
 } // namespace arenite

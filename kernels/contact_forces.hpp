@@ -144,7 +144,7 @@ void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox c
 {
     static_assert(contact_block % lane_count == 0);
     auto const launch = [&](auto evaluation) {
-        Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, (contacts.count + lane_count - 1) / lane_count), evaluation);
+        Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, blocks_of(contacts)), evaluation);
     };
     auto const make = [&]<BoxKind kind>() {
         return ContactEvaluation<Law, kind>{law, contacts, particles.position, particles.velocity, particles.spin,

@@ -8,6 +8,9 @@
 
 namespace arenite {
 
+/// Blocks of lane_count contacts that hold them all.
+inline int blocks_of(ContactList const& list) { return (list.count + lane_count - 1) / lane_count; }
+
 KOKKOS_FORCEINLINE_FUNCTION LaneRecords records_of(RecordView const& view, int const* grains)
 {
     return load_records(view.data(), grains);

@@ -29,14 +29,14 @@ struct GrainStep {
             forces += Real(1 - 2 * second) * load_quad(row);
             torques -= row[3 + 4 * second] * load_quad(row + 4); // (-arm n) x F on both sides
         }
+        if (has_walls)
+            for (int k = walls.begin(i); k < walls.begin(i + 1); ++k) {
+                Real const* const row = &walls.force(walls.contact(k), 0);
+                forces += load_quad(row);
+                torques -= row[3] * load_quad(row + 4);
+            }
         force = xyz_of(forces);
         torque = xyz_of(torques);
-        if (!has_walls) return;
-        for (int k = walls.begin(i); k < walls.begin(i + 1); ++k) {
-            int const c = walls.contact(k);
-            force += Vec3{walls.force(c, 0), walls.force(c, 1), walls.force(c, 2)};
-            torque -= walls.force(c, 3) * Vec3{walls.force(c, 4), walls.force(c, 5), walls.force(c, 6)};
-        }
     }
 
     KOKKOS_FUNCTION Vec3 damped(Vec3 const& force, Vec3 const& velocity) const

@@ -56,8 +56,6 @@ Evaluation evaluation_of(Pack const& pack, ContactList const& contacts)
     return {pack.law, contacts, pack.particles.position, pack.particles.velocity, pack.particles.spin, pack.particles.material, pack.box, 1e-8};
 }
 
-int blocks_of(ContactList const& list) { return (list.count + lane_count - 1) / lane_count; }
-
 /// Adds a contact's row to a grain, as the gather does.
 KOKKOS_FUNCTION void add_row(ContactList const& list, int c, bool second, Vec3& force, Vec3& torque)
 {
