@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
-from results import Row
+from cases import CASES
+from results import Row, number  # and perf/ on the path
+
+from page_parts import table
 
 FIGURES = {  # of `arenite report`, as the page shows them
     "drawdown-figure-10-produced-mass.png": "Produced mass over time at the drawdowns of `drawdown.toml`.",
     "drawdown-figure-11-mass-by-class.png": "Produced mass by size class.",
     "figure-6-bonds.png": "Section through the axis of the paper's sample: bonds a grain at 0, 50 and 100 % of the perforation.",
     "figure-9-fluid.png": "Half section of the paper's sample in the production: fluid speed and streamlines.",
+    "figure-9-grains.png": "The same with the speed of the grains.",
 }
 
 
@@ -18,7 +22,8 @@ def find(rows: list[Row], case: str) -> Row | None:
 
 
 def value(row: Row | None, column: str) -> float:
-    return float(row[column]) if row and row.get(column) else 0.0
+    """0 where there is none."""
+    return row and number(row, column) or 0.0
 
 
 def length_ms(row: Row) -> str:
@@ -42,9 +47,14 @@ def paper_scene(rows: list[Row]) -> str:
     return "\n".join(lines)
 
 
+def drawdown_cases() -> list[str]:
+    """The series with water, by pressure."""
+    wet = [name for name, case in CASES.items() if case.scene == "drawdown.toml" and not case.until and case.note.endswith("kPa")]
+    return sorted(wet, key=lambda name: float(CASES[name].note.split()[0]))
+
+
 def drawdowns(rows: list[Row]) -> str:
-    series = sorted((row for row in rows if row["case"].startswith("drawdown-") and row["case"].split("-")[1].isdigit()
-                     and row["case"].count("-") == 1), key=lambda row: int(row["case"].split("-")[1]))
+    series = [row for case in drawdown_cases() if (row := find(rows, case))]
     if not series:
         return ""
     lines = ["- **Where seepage begins to matter** (`scenes/drawdown.toml`, bonds a hundredth of the paper's): " + "; ".join(
@@ -80,7 +90,7 @@ def against_paper(rows: list[Row]) -> str:
     lines.append(("SSP equals the original at first, then exceeds it (fig 10)", missing if len(compared) < 3 else "see `arenite report`"))
     lines.append(("speed-up of 8.1 by k = 2 at one step (table 5)", "a run costs as grains times steps: 8 by the grains, twice that with the step that "
                   "k = 2 allows; not timed side by side yet"))
-    return "| the paper | here |\n| --- | --- |\n" + "".join(f"| {a} | {b} |\n" for a, b in lines)
+    return table(["the paper", "here"], lines) + "\n"
 
 
 def text(rows: list[Row]) -> str:

@@ -22,10 +22,10 @@ from PIL import Image
 import findings
 import results
 from cases import CASES
-from results import ROOT, Row
+from results import Row, number  # and perf/ on the path
 
-sys.path.insert(0, str(ROOT / "perf"))
-from page_parts import commit, machine  # noqa: E402
+from measure import DEFAULT_PROGRAM, ROOT
+from page_parts import commit, machine, table
 
 LARGEST = 300_000  # bytes of a figure
 PAGE, CSV, FIGURES = ROOT / "docs/study.md", ROOT / "docs/study.csv", ROOT / "docs/study"
@@ -51,28 +51,24 @@ the reservoir above the well's.
 """
 
 
-def number(row: Row, column: str) -> float | None:
-    return float(row[column]) if row.get(column) else None
-
-
-def table(header: list[str], rows: list[list[str]]) -> str:
-    rule = ["---", *["--:"] * (len(header) - 1)]
-    return "\n".join("| " + " | ".join(line) + " |" for line in (header, rule, *rows)) + "\n"
-
-
 def shown(value: float | None, form: str, scale: float = 1) -> str:
     return "–" if value is None else format(scale * value, form)
+
+
+def bonds_lost(row: Row, since: str, until: str) -> float | None:
+    before, after = number(row, f"bonds_{since}"), number(row, f"bonds_{until}")
+    return before - after if before is not None and after is not None else None
 
 
 def samples(rows: list[Row]) -> str:
     lines = []
     for row in rows:
-        before, after = number(row, "bonds_pressed"), number(row, "bonds_perforated")
+        bonds, lost = number(row, "bonds_pressed"), bonds_lost(row, "pressed", "perforated")
         lines.append([f"`{row['case']}`", row["what"], shown(number(row, "grains"), ".0f"), row["porosity"], row["contacts_per_grain"],
-                      shown(before, ".0f"), shown((before - after) / before if before and after is not None else None, ".1f", 100),
+                      shown(bonds, ".0f"), shown(lost / bonds if bonds and lost is not None else None, ".1f", 100),
                       shown(number(row, "wall_pressing_s"), ".0f"), shown(number(row, "wall_perforation_s"), ".0f")])
-    return table(["case", "what", "grains", "porosity", "contacts a grain", "bonds", "broken by the rod [%]", "pressing [s]", "perforation [s]"],
-                 lines)
+    return table(["case", "what", ">grains", ">porosity", ">contacts a grain", ">bonds", ">broken by the rod [%]", ">pressing [s]",
+                  ">perforation [s]"], lines) + "\n"
 
 
 def productions(rows: list[Row]) -> str:
@@ -83,14 +79,9 @@ def productions(rows: list[Row]) -> str:
                       row["produced_grains"], shown(number(row, "share_of_sample"), ".3f", 100),
                       *(shown(number(row, f"produced_at_{moment}ms_kg"), ".2f", 1e6) for moment in (3, 15)),
                       shown(number(row, "t50_s"), ".2f", 1e3), shown(number(row, "t90_s"), ".2f", 1e3),
-                      shown(bonds_lost(row), ".0f"), shown(number(row, "wall_production_s"), ".0f")])
-    return table(["case", "what", "simulated [ms]", "produced [mg]", "grains", "of the sample [%]", "by 3 ms [mg]", "by 15 ms [mg]", "t50 [ms]",
-                  "t90 [ms]", "bonds broken", "wall time [s]"], lines)
-
-
-def bonds_lost(row: Row) -> float | None:
-    before, after = number(row, "bonds_perforated"), number(row, "bonds_end")
-    return before - after if before is not None and after is not None else None
+                      shown(bonds_lost(row, "perforated", "end"), ".0f"), shown(number(row, "wall_production_s"), ".0f")])
+    return table(["case", "what", ">simulated [ms]", ">produced [mg]", ">grains", ">of the sample [%]", ">by 3 ms [mg]", ">by 15 ms [mg]",
+                  ">t50 [ms]", ">t90 [ms]", ">bonds broken", ">wall time [s]"], lines) + "\n"
 
 
 def energy(rows: list[Row]) -> str:
@@ -110,7 +101,7 @@ def energy(rows: list[Row]) -> str:
             values = [number(row, column) for column in columns]
             cells.append(shown(sum(value for value in values if value is not None), ".4g", 1e6))
         lines.append([name, *cells])
-    return table(["[µJ]", *(f"`{row['case']}`" for row in known)], lines)
+    return table(["[µJ]", *(f">`{row['case']}`" for row in known)], lines) + "\n"
 
 
 SAMPLES = [name for name, case in CASES.items() if case.start == f"{name}-perforated"]
@@ -171,7 +162,7 @@ def page(rows: list[Row], where: dict[str, str]) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "runs/study")
-    parser.add_argument("--program", default=str(ROOT / "build/openmp/apps/arenite"))
+    parser.add_argument("--program", default=str(DEFAULT_PROGRAM))
     parser.add_argument("--from-csv", action="store_true", help="only the page, from docs/study.csv")
     options = parser.parse_args()
     if not options.from_csv:

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-import csv
 import hashlib
 import pathlib
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "apps/report"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import measure  # noqa: E402
+
+sys.path.insert(0, str(measure.ROOT / "apps/report"))
 from arenite_report import numbers  # noqa: E402
 from arenite_report.run_folder import Run, read_run  # noqa: E402
 
@@ -81,12 +82,13 @@ def collect(folder: pathlib.Path) -> list[Row]:
 
 def write(rows: list[Row], path: pathlib.Path) -> None:
     columns = list(dict.fromkeys(column for row in rows for column in row))
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, columns, restval="", lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
+    measure.write_table(path, [], columns, [[row.get(column, "") for column in columns] for row in rows])
 
 
 def read(path: pathlib.Path) -> list[Row]:
-    with path.open(newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+    return measure.read_table(path)[1]
+
+
+def number(row: Row, column: str) -> float | None:
+    """None where the run has no such number."""
+    return float(row[column]) if row.get(column) else None

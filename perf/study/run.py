@@ -20,7 +20,8 @@ import sys
 
 from cases import CASES
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from measure import DEFAULT_PROGRAM, ROOT  # noqa: E402
 
 
 def is_done(folder: pathlib.Path) -> bool:
@@ -56,7 +57,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cases", nargs="*", metavar="CASE")
     parser.add_argument("--list", action="store_true", help="the cases, what they are and what they start from")
-    parser.add_argument("--program", default=str(ROOT / "build/openmp/apps/arenite"))
+    parser.add_argument("--program", default=str(DEFAULT_PROGRAM))
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "runs/study")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="one more change, for all of the cases")
     options = parser.parse_args()
