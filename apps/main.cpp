@@ -2,6 +2,7 @@
 // The command line: arenite run | check | verify | bench | report | info.
 #include "apps/bench.hpp"
 #include "apps/check.hpp"
+#include "apps/kernel_times.hpp"
 #include "apps/report.hpp"
 #include "apps/run.hpp"
 #include "apps/verify/verify.hpp"
@@ -28,6 +29,7 @@ struct Command {
     std::string verify_group;
     bool verify_json = false;
     BenchOptions bench;
+    bool kernel_times = false;
     ReportOptions report;
 };
 
@@ -83,7 +85,7 @@ int main(int argc, char** argv)
     CLI::App app{"Arenite: sand production from weakly cemented sandstone, grains and water"};
     app.require_subcommand(1);
     Command command;
-    add_run(app, command.run);
+    CLI::App* const run = add_run(app, command.run);
     CLI::App* check = app.add_subcommand("check", "validate a scene and print what would run");
     check->add_option("scene", command.check_scene, "scene file (TOML)")->required();
     check->add_option("--set", command.check_overrides, "table.key=value")->allow_extra_args(false)->take_all();
@@ -91,6 +93,8 @@ int main(int argc, char** argv)
     verify->add_option("group", command.verify_group, "only this group");
     verify->add_flag("--json", command.verify_json, "machine-readable output");
     add_bench(app, command.bench);
+    for (CLI::App* const timed : {run, app.get_subcommand("bench")})
+        timed->add_flag("--kernel-times", command.kernel_times, "print wall time by phase and kernel at the end; slows GPU runs down");
     add_report(app, command.report);
     app.add_subcommand("info", "version, backends, devices, optional parts");
 
@@ -104,7 +108,9 @@ int main(int argc, char** argv)
             setenv("KOKKOS_NUM_THREADS", "1", 0);
         if (!asks_for_report(argc, argv)) Kokkos::initialize(argc, argv); // takes its own options (--kokkos-num-threads) away
         app.parse(argc, argv);
+        if (command.kernel_times) start_kernel_times();
         int const code = dispatch(app, command);
+        if (command.kernel_times) std::fputs(finish_kernel_times().c_str(), stdout);
         if (Kokkos::is_initialized()) Kokkos::finalize();
         return code;
     } catch (CLI::ParseError const& error) {

@@ -189,6 +189,7 @@ void RunOutput::fluid_warnings(RunState const& state)
 
 void RunOutput::write_due(StageSetup const& setup, RunState& state, StageWatch& watch, bool ended)
 {
+    Phase const phase("output");
     std::int64_t const step = state.clock.stage_step;
     if (ended || OutputCadence::due(cadence_.history, step)) write_history(state, watch.look(setup, state));
     if (ended || OutputCadence::due(cadence_.fields, step)) write_fields(state);
@@ -245,6 +246,7 @@ bool RunOutput::checkpoint_is_due(RunState const& state) const { return OutputCa
 
 void RunOutput::write_checkpoint(RunState& state, bool stage_end)
 {
+    Phase const phase("checkpoint");
     flush_tables();
     if (!can_write_checkpoints()) return;
     save_checkpoint(checkpoint_path(folder_, state.clock.step), scene_, plan_, state, stage_end);

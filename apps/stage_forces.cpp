@@ -76,12 +76,14 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
     forces.wall_needs = std::visit([](auto const& l) { return needs_of(l); }, wall_law);
     std::function<void(Real)> const on_grains = std::visit(
         [&state](auto const& l) -> std::function<void(Real)> {
-            return [&state, l](Real dt) { evaluate_contacts(l, state.particles, state.box, state.contacts, dt); };
+            return [&state, l](Real dt) { evaluate_contacts(l, state.particles, state.box, state.contacts, dt, state.integrator.gate()); };
         },
         law);
     std::function<void(Real)> const on_walls = std::visit(
         [&state](auto const& l) -> std::function<void(Real)> {
-            return [&state, l](Real dt) { evaluate_wall_contacts(l, state.particles, state.walls, state.wall_contacts, dt); };
+            return [&state, l](Real dt) {
+                evaluate_wall_contacts(l, state.particles, state.walls, state.wall_contacts, dt, state.integrator.gate());
+            };
         },
         wall_law);
     forces.evaluate = [&state, on_grains, on_walls](Real dt) {

@@ -28,6 +28,7 @@ Cadence make_cadence(PlannedStage const& planned, RunOutput const& output)
 
 void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
 {
+    Phase const phase("fluid step");
     bool const coupled = fluid.flow.has_drag(); // stays so when the last grain has left
     if (coupled) {
         deposit_porosity(fluid.flow, fluid.exchange, particles);
@@ -50,22 +51,14 @@ void warn_of_fast_walls(StageSetup const& setup, RunState const& state, RunOutpu
     if (!message.empty()) output.warn("fast_wall", message);
 }
 
-/// The grains have drifted: time, walls and lists follow.
-void follow_drift(StageSetup& setup, RunState& state)
-{
-    ++state.clock.step;
-    ++state.clock.stage_step;
-    advance_walls(setup, state);
-    search_if_stale(setup, state);
-}
-
 /// From one moment at which somebody looks to the next.
 void advance_grains(StageSetup& setup, Cadence const& cadence, RunState& state)
 {
     StepSettings const& step = setup.step;
     drift(state.integrator, step, state.particles, state.contacts);
     for (;;) {
-        follow_drift(setup, state);
+        Phase const phase("grain step");
+        follow_drift(setup, state, cadence.stops_at(state.clock.stage_step + 1));
         setup.forces.evaluate(step.dt);
         drive_servos(setup, state);
         WallForceRows const wall_rows = force_rows(state.wall_contacts);
@@ -82,8 +75,9 @@ void advance_grains_in_balance(StageSetup& setup, Cadence const& cadence, RunSta
 {
     StepSettings const& step = setup.step;
     for (;;) {
+        Phase const phase("grain step");
         drift(state.integrator, step, state.particles, state.contacts);
-        follow_drift(setup, state);
+        follow_drift(setup, state, true);
         begin_step(setup, state);
         setup.forces.evaluate(step.dt);
         kick(state.integrator, step, state.particles, state.contacts, force_rows(state.wall_contacts));
@@ -98,6 +92,7 @@ void advance_grains_in_balance(StageSetup& setup, Cadence const& cadence, RunSta
 std::string run_stage(Scene const& scene, PlannedStage const& planned, Until const& until, RunState& state,
                       RunOutput& output)
 {
+    Phase const phase(planned.label);
     bool const resumes = state.clock.stage_step > 0;
     StageSetup setup = resumes ? resume_stage(scene, planned, state) : begin_stage(scene, planned, state);
     if (planned.settings.kind == StageKind::generation) return "grains placed";

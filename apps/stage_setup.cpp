@@ -18,10 +18,6 @@
 namespace arenite {
 namespace {
 
-/// A look at the device's flag costs a synchronisation there and nothing on the host.
-constexpr int health_interval =
-    Kokkos::SpaceAccessibility<HostSpace, MemorySpace>::accessible ? 1 : 8;
-
 void set_skin_limits(StageSetup& setup, RunState& state, Real smallest_diameter)
 {
     Real reach = 0; // how far apart adhering grains can be
@@ -44,11 +40,11 @@ StageSetup make_setup(Scene const& scene, PlannedStage const& planned, RunState&
     setup.step.gravity = stage.gravity.value_or(scene.domain.gravity);
     setup.step.local_damping = stage.local_damping;
     setup.step.box_lower = state.box.lower;
-    setup.health_interval = health_interval;
     if (!stage.outlet_wall.empty()) setup.outlet = state.walls.find(stage.outlet_wall);
     if (!stage.carrier.empty()) setup.carrier = state.walls.find(stage.carrier);
     setup.step.strain_rate = state.box.strain_rate;
     setup.walls_move = any_wall_moves(state.walls);
+    setup.known.step = state.clock.step;
     set_skin_limits(setup, state, smallest_grain_diameter(state.particles));
     return setup;
 }
@@ -86,6 +82,34 @@ void ride_on_carrier(StageSetup& setup, RunState& state)
         state.box.strain_rate[n] = wall.velocity[n] / (wall.position[n] - fixed);
         setup.step.box_lower[n] = fixed;
     }
+}
+
+void advance_walls(StageSetup& setup, RunState& state)
+{
+    if (setup.walls_move) move_walls(state.walls, setup.step.dt);
+    if (setup.planned->settings.box) steer_box(setup, state);
+    if (setup.carrier >= 0) ride_on_carrier(setup, state);
+    setup.step.strain_rate = state.box.strain_rate;
+}
+
+/// Back to the step after the drift that found the list stale. Of what the host does in a step only the walls' programs, and
+/// what rides on them, go on without knowing: they are run again from where they were known.
+void go_back(StageSetup& setup, RunState& state, int steps)
+{
+    state.clock.step -= steps;
+    state.clock.stage_step -= steps;
+    if (!setup.walls_move) return;
+    state.walls.state = setup.known.walls;
+    for (std::int64_t step = setup.known.step; step < state.clock.step; ++step) advance_walls(setup, state);
+}
+
+/// A search costs as much as some ten steps: let a list last a hundred, and no longer than pays.
+void renew_lists(StageSetup& setup, RunState& state)
+{
+    std::int64_t const lasted = state.clock.step - state.last_search;
+    if (lasted < 60) state.skin = std::min(state.skin * Real(1.25), setup.most_skin);
+    if (lasted > 600) state.skin = std::max(state.skin * Real(0.8), setup.least_skin);
+    search(setup, state);
 }
 
 } // namespace
@@ -133,33 +157,27 @@ void search(StageSetup& setup, RunState& state, View1<int> const& keep)
 {
     search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep}, state.contacts);
     search_wall_contacts(state.particles, state.walls, state.skin, setup.forces.wall_needs, state.wall_contacts);
-    setup.step.allowed_move = state.skin / 2 * (health_interval > 1 ? Real(0.7) : Real(1));
+    setup.step.allowed_move = state.skin / 2;
     state.last_search = state.clock.step;
     ++setup.searches;
 }
 
 void search(StageSetup& setup, RunState& state) { search(setup, state, {}); }
 
-void search_if_stale(StageSetup& setup, RunState& state)
+void follow_drift(StageSetup& setup, RunState& state, bool must_know)
 {
-    if (state.clock.stage_step % setup.health_interval != 0) return;
-    unsigned const health = read_health(state.integrator);
+    if (setup.walls_move && setup.known.step == state.clock.step) setup.known.walls = state.walls.state;
+    ++state.clock.step;
+    ++state.clock.stage_step;
+    advance_walls(setup, state);
     bool const walls_came_near =
         setup.walls_move && wall_displacement(state.walls, state.wall_contacts.reference_pose) > setup.step.allowed_move;
-    if (!(health & list_is_stale) && !walls_came_near) return;
-    // A search costs as much as some ten steps: let a list last a hundred, and no longer than pays.
-    std::int64_t const lasted = state.clock.step - state.last_search;
-    if (lasted < 60) state.skin = std::min(state.skin * Real(1.25), setup.most_skin);
-    if (lasted > 600) state.skin = std::max(state.skin * Real(0.8), setup.least_skin);
-    search(setup, state);
-}
-
-void advance_walls(StageSetup& setup, RunState& state)
-{
-    if (setup.walls_move) move_walls(state.walls, setup.step.dt);
-    if (setup.planned->settings.box) steer_box(setup, state);
-    if (setup.carrier >= 0) ride_on_carrier(setup, state);
-    setup.step.strain_rate = state.box.strain_rate;
+    bool const host_acts = walls_came_near || setup.planned->settings.box || servo_is_due(state.walls);
+    if (!must_know && !host_acts && !says_stale(state.integrator)) return;
+    int const in_vain = take_stale(state.integrator);
+    if (in_vain > 0) go_back(setup, state, in_vain);
+    if (in_vain >= 0 || walls_came_near) renew_lists(setup, state);
+    setup.known.step = state.clock.step;
 }
 
 void drive_servos(StageSetup const& setup, RunState& state)

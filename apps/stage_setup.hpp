@@ -9,6 +9,12 @@
 
 namespace arenite {
 
+/// Where the host was when it last knew the grains' steps to be made: it moves the walls of steps that are only launched.
+struct LastKnown {
+    std::int64_t step = -1;
+    std::vector<WallState> walls; // only where walls move
+};
+
 struct StageSetup {
     PlannedStage const* planned = nullptr;
     StageForces forces;
@@ -16,7 +22,7 @@ struct StageSetup {
     int carrier = -1;          // wall whose motion strains the sample, or -1
     int outlet = -1;           // wall, or -1
     bool walls_move = false;
-    int health_interval = 1;   // steps between two looks at the list's staleness
+    LastKnown known;
     Real least_skin = 0, most_skin = 0; // m
     std::int64_t searches = 0;
 };
@@ -34,11 +40,10 @@ void set_friction(StageSetup& setup, RunState& state, Real friction);
 void search(StageSetup& setup, RunState& state);
 void search(StageSetup& setup, RunState& state, View1<int> const& keep);
 
-/// Searches if a grain or a wall used up its share of the skin. The skin follows how long lists last.
-void search_if_stale(StageSetup& setup, RunState& state);
-
-/// Moves walls and the deforming box on by a step.
-void advance_walls(StageSetup& setup, RunState& state);
+/// The grains have drifted: time, walls and lists follow. Searches if a grain or a wall used up its share of the skin. The
+/// clock may go back, to the step whose list was stale: what was launched since did nothing. must_know: the host looks at
+/// the state in this step, so all steps have to be made. The skin follows how long lists last.
+void follow_drift(StageSetup& setup, RunState& state, bool must_know);
 
 /// Lets the servos look at the forces of this step, if it is their turn.
 void drive_servos(StageSetup const& setup, RunState& state);

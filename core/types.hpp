@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Kokkos_Core.hpp>
+#include <Kokkos_Profiling_ScopedRegion.hpp>
 
 #include <cstdint>
 #include <string>
@@ -15,6 +16,7 @@ using Real = double; // positions need it: a float ULP at 18 mm is 2 % of a JKR 
 using ExecutionSpace = Kokkos::DefaultExecutionSpace;
 using MemorySpace = ExecutionSpace::memory_space;
 using HostSpace = Kokkos::HostSpace;
+using PinnedSpace = Kokkos::SharedHostPinnedSpace; // the host's memory, which the device can write
 
 using RangePolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>>;
 using TeamPolicy = Kokkos::TeamPolicy<ExecutionSpace>;
@@ -30,6 +32,10 @@ using FieldView = Kokkos::View<Real***, Kokkos::LayoutLeft, MemorySpace>;
 
 /// Allocation of a View whose every entry is written before it is read.
 inline auto uninitialized(std::string const& label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); }
+
+/// A phase of the run, from here to the end of the block, for the profiler that is attached (Kokkos Tools). Without one it
+/// is two comparisons with a null pointer.
+using Phase = Kokkos::Profiling::ScopedRegion;
 
 /// Asks for the cache line at `address` ahead of its use; a GPU hides the wait with other threads. The address need not be
 /// valid.

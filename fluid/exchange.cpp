@@ -214,6 +214,7 @@ Exchange make_exchange(Flow const& flow, Particles& particles, FluidSettings con
 
 void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles)
 {
+    Phase const phase("deposit");
     ExchangeReport report;
     exchange.weights = make_grain_weights(exchange.stencil, particles.position, particles.id, particles.count);
     GrainWeights const& weights = exchange.weights;
@@ -244,6 +245,7 @@ void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles
 
 void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles, Real dt)
 {
+    Phase const phase("drag to fluid");
     exchange.time_step = dt;
     gather_flow(flow, exchange.cell_value);
     std::visit([&](auto const& law) { evaluate_drag(law, exchange, particles); }, exchange.drag_law);
@@ -253,6 +255,7 @@ void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles, Re
 
 void evaluate_fluid_force(Flow const& flow, FlowSolver const& solver, Exchange const& exchange, Particles& particles)
 {
+    Phase const phase("drag to grains");
     auto const fit_rows = [&](RecordView& view, std::string const& label) {
         if (view.extent(0) != particles.position.extent(0)) view = RecordView(label, particles.position.extent(0));
     };

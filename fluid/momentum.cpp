@@ -158,6 +158,7 @@ void set_boundary_velocity(Flow const& flow_now, FlowBoundary const& boundary)
 
 bool predict_velocity(Flow& flow, FlowBoundary const& boundary, FlowSolver& solver, TimeDerivative const& time)
 {
+    Phase const phase("momentum");
     MomentumSystem const system{flow, boundary, time};
     extrapolate_velocity(flow, solver, time.extrapolation);
     if (solver.convection != ConvectionScheme::none) evaluate_convection(flow, solver);

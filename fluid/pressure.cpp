@@ -125,6 +125,7 @@ void close_mass(FlowBoundary const& boundary, FlowSolver& solver)
 KrylovReport solve_pressure(Flow const& flow, FlowBoundary const& boundary, FlowSolver& solver,
                             TimeDerivative const& time)
 {
+    Phase const phase("pressure solve");
     KrylovVectors const& v = solver.pressure_system;
     assemble_conductances({flow, boundary, time}, solver.levels[0]);
     update_multigrid(solver.levels);
@@ -145,6 +146,7 @@ KrylovReport solve_pressure(Flow const& flow, FlowBoundary const& boundary, Flow
 void correct_velocity(Flow const& flow_now, FlowBoundary const& boundary, FlowSolver const& solver,
                       TimeDerivative const& time)
 {
+    Phase const phase("correction");
     MomentumSystem const s{flow_now, boundary, time};
     Grid const grid = flow_now.grid;
     View1<Real> const phi = solver.pressure_system.solution;

@@ -9,6 +9,7 @@
 #include "core/particles.hpp"
 #include "kernels/contact/contact_law.hpp"
 #include "kernels/contact_lanes.hpp"
+#include "kernels/step_gate.hpp"
 
 namespace arenite {
 
@@ -24,11 +25,13 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
     View1<std::uint8_t> material;
     PeriodicBox box;
     Real dt;
+    StepGate gate = {};
 
     using Numbers = Vector<Lanes>;
 
     KOKKOS_FORCEINLINE_FUNCTION void operator()(int block) const
     {
+        if (gate.closed()) return;
         int const c = block * lane_count;
         int const *const i = &list.first(c), *const j = &list.second(c);
         if constexpr (lane_count > 1)
@@ -140,7 +143,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
 
 template <class Law>
 void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox const& box, ContactList const& contacts,
-                       Real dt)
+                       Real dt, StepGate const& gate = {})
 {
     static_assert(contact_block % lane_count == 0);
     auto const launch = [&](auto evaluation) {
@@ -148,7 +151,7 @@ void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox c
     };
     auto const make = [&]<BoxKind kind>() {
         return ContactEvaluation<Law, kind>{law, contacts, particles.position, particles.velocity, particles.spin,
-                                            particles.material, box, dt};
+                                            particles.material, box, dt, gate};
     };
     if (box.deforms()) launch(make.template operator()<BoxKind::deforming>());
     else if (contacts.periodic) launch(make.template operator()<BoxKind::periodic>());

@@ -467,6 +467,7 @@ View1<int> sort_grains(Particles& particles, PeriodicBox const& box, SearchSetti
 
 void search_contacts(Particles& particles, PeriodicBox const& box, SearchSettings const& settings, ContactList& contacts)
 {
+    Phase const phase("contact search");
     Real const skin = settings.skin;
     ContactList const old = contacts;
     contacts = ContactList{};

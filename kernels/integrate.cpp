@@ -14,6 +14,9 @@ struct GrainStep {
     ContactList contacts;
     WallForceRows walls;
     Kokkos::View<unsigned, MemorySpace> health;
+    Kokkos::View<int, MemorySpace> stale_step;
+    Kokkos::View<int, PinnedSpace> notice;
+    StepGate gate;
     bool has_walls, has_applied, has_fluid;
 
     KOKKOS_FUNCTION Real const* row_of(int entry) const { return contacts.force.data() + 8 * static_cast<std::ptrdiff_t>(entry >> 1); }
@@ -83,14 +86,21 @@ struct GrainStep {
         set_vector(grains.position, i, there);
         Vec3 const moved = there - vector_of(contacts.reference_position, i);
         Real const square = dot(moved, moved);
-        if (!(square <= settings.allowed_move * settings.allowed_move)) // true for NaN too
-            Kokkos::atomic_or(&health(), static_cast<unsigned>(square < Real(1e300) ? list_is_stale : force_is_not_finite));
+        if (square <= settings.allowed_move * settings.allowed_move) return;
+        if (square < Real(1e300)) close_gate();
+        else Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite)); // NaN comes here
+    }
+
+    KOKKOS_FUNCTION void close_gate() const
+    {
+        if (Kokkos::atomic_exchange(&stale_step(), gate.step) == StepGate::none) Kokkos::atomic_store(&notice(), gate.step);
     }
 };
 
 struct Kick : GrainStep {
     KOKKOS_FUNCTION void operator()(int i) const
     {
+        if (gate.closed()) return;
         Vec3 force, torque;
         total(i, force, torque);
         set_vector(grains.force, i, force);
@@ -102,6 +112,7 @@ struct Kick : GrainStep {
 struct Drift : GrainStep {
     KOKKOS_FUNCTION void operator()(int i) const
     {
+        if (gate.closed()) return;
         push(i, vector_of(grains.force, i), vector_of(grains.torque, i));
         move(i);
     }
@@ -110,6 +121,7 @@ struct Drift : GrainStep {
 struct KickAndDrift : GrainStep {
     KOKKOS_FUNCTION void operator()(int i) const
     {
+        if (gate.closed()) return;
         Vec3 force, torque;
         total(i, force, torque);
         push(i, force, torque);
@@ -127,12 +139,21 @@ GrainStep make_step(Integrator const& integrator, StepSettings const& settings, 
             contacts,
             walls,
             integrator.health,
+            integrator.stale_step,
+            integrator.notice,
+            integrator.gate(),
             walls.begin.extent(0) > 0,
             particles.applied_force.is_allocated(),
             particles.fluid_force.is_allocated()};
 }
 
 } // namespace
+
+Integrator::Integrator() : health("health"), stale_step(uninitialized("stale_step")), notice(uninitialized("stale_notice"))
+{
+    Kokkos::deep_copy(stale_step, StepGate::none);
+    Kokkos::deep_copy(notice, StepGate::none);
+}
 
 void kick(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
           ContactList const& contacts, WallForceRows const& walls)
@@ -141,26 +162,44 @@ void kick(Integrator const& integrator, StepSettings const& settings, Particles 
                          Kick{make_step(integrator, settings, particles, contacts, walls)});
 }
 
-void drift(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
+void drift(Integrator& integrator, StepSettings const& settings, Particles const& particles,
            ContactList const& contacts)
 {
     Kokkos::parallel_for("drift", RangePolicy(0, particles.count),
                          Drift{make_step(integrator, settings, particles, contacts, {})});
+    ++integrator.step;
 }
 
-void kick_and_drift(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
+void kick_and_drift(Integrator& integrator, StepSettings const& settings, Particles const& particles,
                     ContactList const& contacts, WallForceRows const& walls)
 {
     Kokkos::parallel_for("kick_and_drift", RangePolicy(0, particles.count),
                          KickAndDrift{make_step(integrator, settings, particles, contacts, walls)});
+    ++integrator.step;
 }
 
 unsigned read_health(Integrator const& integrator)
 {
     unsigned bits = 0;
     Kokkos::deep_copy(bits, integrator.health);
-    if (bits & list_is_stale) Kokkos::deep_copy(integrator.health, bits & ~static_cast<unsigned>(list_is_stale));
     return bits;
+}
+
+bool says_stale(Integrator const& integrator)
+{
+    return integrator.step % integrator.look_interval == 0 && *static_cast<int const volatile*>(integrator.notice.data()) != StepGate::none;
+}
+
+int take_stale(Integrator& integrator)
+{
+    int stale = StepGate::none;
+    Kokkos::deep_copy(stale, integrator.stale_step);
+    int const launched = integrator.step;
+    integrator.step = 0;
+    if (stale == StepGate::none) return -1;
+    Kokkos::deep_copy(integrator.stale_step, StepGate::none);
+    Kokkos::deep_copy(integrator.notice, StepGate::none);
+    return launched - 1 - stale;
 }
 
 } // namespace arenite

@@ -205,6 +205,7 @@ void find_blocks(Walls const& walls, WallContacts& contacts)
 void search_wall_contacts(Particles const& particles, Walls const& walls, Real skin, ContactNeeds needs,
                           WallContacts& contacts)
 {
+    Phase const phase("wall search");
     WallContacts const old = contacts;
     contacts = WallContacts{};
     contacts.needs = needs;

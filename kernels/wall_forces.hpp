@@ -4,6 +4,7 @@
 #pragma once
 
 #include "kernels/contact/contact_law.hpp"
+#include "kernels/step_gate.hpp"
 #include "kernels/wall_contacts.hpp"
 
 namespace arenite {
@@ -17,11 +18,13 @@ template <class Law> struct WallContactEvaluation {
     RecordView position, velocity, spin;
     View1<std::uint8_t> material;
     Real dt;
+    StepGate gate = {};
 
     enum Touching : std::uint8_t { no = 0, yes = 1, ended = 2, begins = 3 };
 
     KOKKOS_FUNCTION void operator()(int g) const
     {
+        if (gate.closed()) return;
         int const first = list.group(g), last = list.group(g + 1);
         WallBody const& body = walls.body(walls.wall_of_element(list.element(first)));
         int begun = 0;
@@ -139,12 +142,12 @@ template <class Law> struct WallContactEvaluation {
 
 template <class Law>
 void evaluate_wall_contacts(Law const& law, Particles const& particles, Walls const& walls,
-                            WallContacts const& contacts, Real dt)
+                            WallContacts const& contacts, Real dt, StepGate const& gate = {})
 {
     if (contacts.groups == 0) return;
     Kokkos::parallel_for("evaluate_wall_contacts", RangePolicy(0, contacts.groups),
                          WallContactEvaluation<Law>{law, contacts, walls.views, particles.position, particles.velocity,
-                                                    particles.spin, particles.material, dt});
+                                                    particles.spin, particles.material, dt, gate});
 }
 
 } // namespace arenite

@@ -62,6 +62,7 @@ Sums sum_superblocks(Sums const& blocks, WallContacts const& contacts)
 
 std::vector<WallReaction> measure_walls(Particles const& particles, Walls const& walls, WallContacts const& contacts)
 {
+    Phase const phase("wall reactions");
     std::vector<WallReaction> reactions(walls.count());
     if (contacts.count == 0) return reactions;
     Sums const sums = sum_superblocks(sum_blocks(particles, walls, contacts), contacts);

@@ -13,6 +13,13 @@ add_test(NAME command_line
   COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/smoke/command_line.sh $<TARGET_FILE:arenite> ${PROJECT_SOURCE_DIR}/scenes)
 set_tests_properties(command_line PROPERTIES LABELS smoke TIMEOUT 300)
 
+arenite_test(count_launches performance performance/count_launches.cpp LINK arenite_driver)
+arenite_test(launch_ahead determinism determinism/launch_ahead.cpp LINK arenite_driver arenite_verify)
+foreach(name count_launches launch_ahead)
+  target_compile_definitions(${name} PRIVATE ARENITE_TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/scenes")
+  set_tests_properties(${name} PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+endforeach()
+
 arenite_test(verify_balance verification verification/verify_balance.cpp LINK arenite_driver)
 target_include_directories(verify_balance PRIVATE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(verify_balance PRIVATE ARENITE_TEST_SCENES="${CMAKE_CURRENT_SOURCE_DIR}/scenes"

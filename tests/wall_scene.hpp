@@ -115,7 +115,7 @@ struct WallScene {
         if (first) kick_half();
         drift(integrator, settings, particles, contacts);
         move_walls(walls, settings.dt);
-        bool const stale = (read_health(integrator) & list_is_stale) ||
+        bool const stale = take_stale(integrator) >= 0 ||
                            wall_displacement(walls, wall_contacts.reference_pose) > skin / 2;
         if (stale) search();
         evaluate();

@@ -62,7 +62,7 @@ void evaluate(GrainSystem& system)
 {
     std::visit(
         [&](auto const& law) {
-            evaluate_contacts(law, system.particles, system.settings.box, system.contacts, system.settings.dt);
+            evaluate_contacts(law, system.particles, system.settings.box, system.contacts, system.settings.dt, system.integrator.gate());
         },
         make_contact_law(system.pairs));
 }
@@ -96,8 +96,8 @@ void advance(GrainSystem& system, int steps)
         deform_box(system);
         ++system.steps;
         int const interval = system.settings.rebuild_interval;
-        if ((interval > 0 && system.steps % interval == 0) || (read_health(system.integrator) & list_is_stale))
-            rebuild(system);
+        bool const stale = take_stale(system.integrator) >= 0;
+        if (stale || (interval > 0 && system.steps % interval == 0)) rebuild(system);
         evaluate(system);
         if (!fused || n == steps - 1) kick(system.integrator, step, system.particles, system.contacts, {});
     }

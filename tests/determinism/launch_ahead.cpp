@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// The host may look at what the device says as late as it likes: same bits. On a GPU it is late of itself; here it is made to be.
+#include "apps/make_state.hpp"
+#include "apps/stage_loop.hpp"
+#include "apps/verify/packs.hpp"
+#include "io/checkpoint_folder.hpp"
+#include "io/scene_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace arenite {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Steps of a GrainSystem with a look at the notice every `look_interval`-th, launched ahead in between.
+void advance_ahead(GrainSystem& system, int steps, int look_interval)
+{
+    StepSettings step;
+    step.dt = system.settings.dt;
+    step.allowed_move = system.settings.skin / 2;
+    system.integrator.look_interval = look_interval;
+    drift(system.integrator, step, system.particles, system.contacts);
+    for (int made = 1;; ++made) {
+        bool const last = made == steps;
+        if (last || says_stale(system.integrator)) {
+            int const in_vain = take_stale(system.integrator);
+            if (in_vain >= 0) {
+                made -= in_vain;
+                rebuild(system);
+            }
+        }
+        evaluate(system);
+        if (made == steps) return kick(system.integrator, step, system.particles, system.contacts, {});
+        kick_and_drift(system.integrator, step, system.particles, system.contacts, {});
+    }
+}
+
+TEST(LaunchAhead, GrainsAreTheSameForAnyLook)
+{
+    PackSettings pack;
+    pack.count = 400;
+    pack.box = 2e-3;
+    pack.largest = 0.25e-3;
+    pack.speed = 2;
+    pack.lattice = true;
+    SystemSettings settings;
+    settings.grains = random_pack(pack);
+    settings.materials = {with(sand(), 0.8, 0.3)};
+    settings.contact = contact_settings(NormalLaw::modified_jkr, DampingLaw::restitution, TangentialLaw::secant);
+    settings.skin = 1e-5;
+    settings.dt = 2e-8;
+    settings.start_bonded = true;
+    settings.fused = true;
+    constexpr int steps = 1000;
+    GrainSystem waiting = make_system(settings);
+    advance(waiting, steps);
+    ASSERT_GT(waiting.rebuilds, 5);
+    for (int const look_interval : {1, 3, 64, steps + 1}) {
+        GrainSystem ahead = make_system(settings);
+        advance_ahead(ahead, steps, look_interval);
+        EXPECT_EQ(ahead.rebuilds, waiting.rebuilds) << look_interval;
+        EXPECT_EQ(state_hash(ahead), state_hash(waiting)) << look_interval;
+    }
+}
+
+/// The small scene up to the end of its perforation: a servo's wall, then a rod that goes down and comes up.
+RunState run_small_scene(int look_interval, std::int64_t& searches)
+{
+    Scene const scene = read_scene(ARENITE_TEST_SCENES "/small.toml", {"output.energies=false"});
+    StagePlan const plan = make_stage_plan(scene);
+    RunState state = make_run_state(scene);
+    state.integrator.look_interval = look_interval;
+    fs::path const folder = fs::temp_directory_path() / "arenite_launch_ahead";
+    make_folder(folder);
+    {
+        RunOutput output(folder, scene, plan, {}, 0, true);
+        for (PlannedStage const& planned : plan) {
+            if (planned.label == "production") break;
+            run_stage(scene, planned, {}, state, output);
+            state.clock = {state.clock.stage + 1, state.clock.step, 0, state.clock.time(), 0};
+        }
+    }
+    searches = state.last_search;
+    fs::remove_all(folder);
+    return state;
+}
+
+template <class Records> bool same_bits(Records const& a, Records const& b, int count)
+{
+    auto const left = Kokkos::create_mirror_view_and_copy(HostSpace(), a), right = Kokkos::create_mirror_view_and_copy(HostSpace(), b);
+    return std::memcmp(left.data(), right.data(), static_cast<std::size_t>(count) * 4 * sizeof(Real)) == 0;
+}
+
+TEST(LaunchAhead, StagesWithMovingWallsAreTheSameForAnyLook)
+{
+    std::int64_t last_search = 0, last_search_late = 0;
+    RunState const prompt = run_small_scene(1, last_search), late = run_small_scene(64, last_search_late);
+    EXPECT_EQ(last_search, last_search_late);
+    ASSERT_EQ(prompt.clock.step, late.clock.step);
+    ASSERT_EQ(prompt.particles.count, late.particles.count);
+    EXPECT_TRUE(same_bits(prompt.particles.position, late.particles.position, prompt.particles.count));
+    EXPECT_TRUE(same_bits(prompt.particles.velocity, late.particles.velocity, prompt.particles.count));
+    EXPECT_TRUE(same_bits(prompt.particles.spin, late.particles.spin, prompt.particles.count));
+}
+
+} // namespace
+} // namespace arenite

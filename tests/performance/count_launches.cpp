@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// What a grain step asks of the device, counted through Kokkos Tools, so on any backend: kernels launched, and moments at
+// which the host waits (a fence, a copy, a reduction to a number). A GPU of moderate size spends its time on these.
+#include "apps/run.hpp"
+
+#include <Kokkos_Core.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace Tools = Kokkos::Tools::Experimental;
+using arenite::RunOptions;
+
+/// Why the host may wait in a step.
+struct Step {
+    int launches = 0, waits = 0;
+    bool searches = false; // the lists are renewed
+    bool stops = false;    // output, a fluid step, the look at the state every 100 steps
+    bool servos = false;   // a servo looks at its force
+};
+
+struct StageCount {
+    std::int64_t steps = 0, searches = 0, launches = 0, waits = 0; // of steps that do not search
+    std::int64_t unexplained_waits = 0;                            // nor stop, nor serve a servo
+    int most_launches = 0;                                         // of these
+};
+
+struct Listener {
+    std::vector<std::string> phases; // open ones; the first is the stage
+    Step step;
+    int copies = 0;                  // open ones: the fences in them are theirs
+    std::map<std::string, StageCount> stages;
+    bool in_step() const { return std::find(phases.begin(), phases.end(), "grain step") != phases.end(); }
+};
+Listener listener; // Kokkos' callbacks are plain functions
+
+void count_step(StageCount& stage, Step const& step)
+{
+    ++stage.steps;
+    stage.searches += step.searches;
+    if (step.searches) return;
+    stage.launches += step.launches;
+    stage.waits += step.waits;
+    if (step.stops || step.servos) return;
+    stage.unexplained_waits += step.waits;
+    stage.most_launches = std::max(stage.most_launches, step.launches);
+}
+
+void begin_phase(char const* name)
+{
+    listener.phases.emplace_back(name);
+    if (listener.phases.back() == "grain step") listener.step = {};
+    if (listener.phases.back() == "contact search") listener.step.searches = true;
+    if (listener.phases.back() == "wall reactions") listener.step.servos = true;
+}
+void end_phase()
+{
+    std::string const name = listener.phases.back();
+    listener.phases.pop_back();
+    if (name == "grain step") count_step(listener.stages[listener.phases.front()], listener.step);
+}
+void launch(char const* name, std::uint32_t, std::uint64_t*)
+{
+    ++listener.step.launches;
+    if (std::strcmp(name, "kick") == 0) listener.step.stops = true;
+}
+void launch_and_wait(char const* name, std::uint32_t device, std::uint64_t* id)
+{
+    launch(name, device, id);
+    ++listener.step.waits;
+}
+void begin_copy(Kokkos::Tools::SpaceHandle, char const*, void const*, Kokkos::Tools::SpaceHandle, char const*, void const*, std::uint64_t)
+{
+    ++listener.step.waits;
+    ++listener.copies;
+}
+void end_copy() { --listener.copies; }
+void fence(char const* name, std::uint32_t, std::uint64_t*)
+{
+    if (listener.copies == 0 && !std::strstr(name, "Kokkos Profile Tool Fence")) ++listener.step.waits;
+}
+
+Tools::EventSet callbacks()
+{
+    Tools::EventSet set{};
+    set.begin_parallel_for = launch;
+    set.begin_parallel_reduce = set.begin_parallel_scan = launch_and_wait;
+    set.begin_deep_copy = begin_copy;
+    set.end_deep_copy = end_copy;
+    set.begin_fence = fence;
+    set.push_region = begin_phase;
+    set.pop_region = end_phase;
+    return set;
+}
+
+/// All stages of the small scene, counted once.
+std::map<std::string, StageCount> const& counts()
+{
+    static bool const counted = [] {
+        RunOptions options;
+        options.scene = ARENITE_TEST_SCENES "/small.toml";
+        options.folder = (std::filesystem::temp_directory_path() / "arenite_count_launches").string();
+        options.overrides = {"output.energies=false"};
+        options.quiet = true;
+        Tools::set_callbacks(callbacks());
+        EXPECT_EQ(arenite::run_scene(options), 0);
+        Tools::set_callbacks({});
+        std::filesystem::remove_all(options.folder);
+        std::printf("%-22s %8s %8s %14s %14s\n", "stage", "steps", "searches", "launches/step", "waits/step");
+        for (auto const& [name, stage] : listener.stages) {
+            double const plain = static_cast<double>(stage.steps - stage.searches);
+            std::printf("%-22s %8lld %8lld %14.3f %14.4f\n", name.c_str(), static_cast<long long>(stage.steps),
+                        static_cast<long long>(stage.searches), static_cast<double>(stage.launches) / plain, static_cast<double>(stage.waits) / plain);
+        }
+        return true;
+    }();
+    EXPECT_TRUE(counted);
+    return listener.stages;
+}
+
+TEST(CountLaunches, EveryStageThatStepsIsSeen)
+{
+    std::int64_t steps = 0;
+    for (auto const& [name, stage] : counts()) steps += stage.steps;
+    ASSERT_EQ(counts().count("production"), 1u);
+    EXPECT_GT(counts().at("production").steps, 100);
+    EXPECT_GT(steps, 10000);
+}
+
+TEST(CountLaunches, AGrainStepIsAtMostSixLaunches)
+{
+    for (auto const& [name, stage] : counts()) {
+        EXPECT_LE(stage.most_launches, 4) << name; // walls' poses, contacts, wall contacts, kick and drift
+        EXPECT_LE(static_cast<double>(stage.launches), 6.0 * static_cast<double>(stage.steps - stage.searches)) << name;
+    }
+    EXPECT_LE(counts().at("production").most_launches, 3); // its walls stand still
+}
+
+TEST(CountLaunches, TheHostWaitsOnlyWhereItLooks)
+{
+    for (auto const& [name, stage] : counts()) EXPECT_EQ(stage.unexplained_waits, 0) << name;
+}
+
+} // namespace
