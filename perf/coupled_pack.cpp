@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "perf/coupled_pack.hpp"
+
+#include "apps/bench_pack.hpp"
+
+namespace arenite {
+namespace {
+
+MaterialSettings bench_sand()
+{
+    MaterialSettings sand;
+    sand.name = "sand";
+    sand.density = 2605;
+    sand.youngs_modulus = 2e10;
+    sand.poissons_ratio = 0.3;
+    sand.restitution = 0.8;
+    sand.friction = 0.2;
+    sand.surface_energy = 60;
+    return sand;
+}
+
+FluidSettings fluid_of(std::array<int, 3> const& cells)
+{
+    FluidSettings settings;
+    settings.cells = cells;
+    settings.gravity = false;
+    PatchSettings inlet, outlet;
+    inlet.face = Face::y_lower;
+    inlet.kind = PatchKind::velocity;
+    inlet.velocity = {0, 1e-4, 0};
+    outlet.face = Face::z_upper;
+    outlet.kind = PatchKind::pressure;
+    settings.patches = {inlet, outlet};
+    return settings;
+}
+
+} // namespace
+
+void make_coupled_pack(int grains, std::array<int, 3> const& cells, NormalLaw law, CoupledPack& pack)
+{
+    RunState& state = pack.state;
+    BenchPack const lattice = lattice_pack(grains);
+    MaterialSettings const sand = bench_sand();
+    state.particles = make_particles(lattice.grains, {sand.density});
+    state.box.lower = lattice.lower;
+    state.box.upper = lattice.upper;
+    ContactSettings contact;
+    contact.normal = law;
+    if (law == NormalLaw::jkr) contact.break_point = BreakPoint::S;
+    pack.planned.pairs = pack.planned.wall_pairs = {make_pair(sand, sand, contact)};
+    pack.forces = make_stage_forces(pack.planned, -1, state);
+    pack.step.dt = CoupledPack::grain_dt;
+    pack.step.allowed_move = 1; // the list lasts: nothing moves far in the steps that are timed
+    pack.search = {3e-5, pack.forces.needs, {}};
+    search_contacts(state.particles, state.box, pack.search, state.contacts);
+    if (pack.forces.needs.bonds) form_bonds(state.particles, state.box, state.contacts);
+    FluidState& fluid = pack.fluid;
+    FluidSettings const settings = fluid_of(cells);
+    fluid.flow = make_flow(settings, Region{lattice.lower, lattice.upper}, true, {});
+    fluid.boundary = make_boundary(settings, fluid.flow.grid);
+    fluid.solver = make_flow_solver(settings, fluid.flow);
+    fluid.exchange = make_exchange(fluid.flow, state.particles, settings, 1);
+}
+
+} // namespace arenite
