@@ -11,8 +11,10 @@
 #include <map>
 #include <vector>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 namespace Tools = Kokkos::Tools::Experimental;
 using Now = std::chrono::steady_clock;
@@ -51,8 +53,8 @@ void leave()
 void begin_kernel(char const* name, std::uint32_t, std::uint64_t*) { enter(listener.kernels, name); }
 void end_kernel(std::uint64_t) { leave(); }
 void begin_phase(char const* name) { enter(listener.phases, name); }
-void begin_copy(Kokkos::Tools::SpaceHandle, char const* to, void const*, Kokkos::Tools::SpaceHandle, char const*, void const*,
-                std::uint64_t)
+void begin_copy(Kokkos::Tools::SpaceHandle, char const* to, void const*, Kokkos::Tools::SpaceHandle, char const*,
+                void const*, std::uint64_t)
 {
     enter(listener.kernels, std::string("copy to ") + to);
 }
@@ -72,10 +74,12 @@ Tools::EventSet callbacks()
 std::string print(Table const& table, char const* title, double total)
 {
     std::vector<std::pair<std::string, Row>> rows(table.begin(), table.end());
-    std::stable_sort(rows.begin(), rows.end(), [](auto const& a, auto const& b) { return a.second.seconds > b.second.seconds; });
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](auto const& a, auto const& b) { return a.second.seconds > b.second.seconds; });
     std::string text = fmt::format("{:<48} {:>10} {:>12} {:>8}\n", title, "calls", "seconds", "share");
     for (auto const& [name, row] : rows)
-        text += fmt::format("{:<48.48} {:>10} {:>12.6f} {:>6.2f} %\n", name, row.calls, row.seconds, 100 * row.seconds / total);
+        text += fmt::format("{:<48.48} {:>10} {:>12.6f} {:>6.2f} %\n", name, row.calls, row.seconds,
+                            100 * row.seconds / total);
     return text;
 }
 
@@ -94,7 +98,8 @@ std::string finish_kernel_times()
 {
     double const total = seconds_since(listener.begin);
     Tools::set_callbacks({});
-    return fmt::format("{}\n{}", print(listener.phases, "phase", total), print(listener.kernels, "kernel or copy", total));
+    return fmt::format("{}\n{}", print(listener.phases, "phase", total),
+                       print(listener.kernels, "kernel or copy", total));
 }
 
 } // namespace arenite

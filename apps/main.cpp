@@ -94,7 +94,7 @@ int main(int argc, char** argv)
     verify->add_flag("--json", command.verify_json, "machine-readable output");
     add_bench(app, command.bench);
     for (CLI::App* const timed : {run, app.get_subcommand("bench")})
-        timed->add_flag("--kernel-times", command.kernel_times, "print wall time by phase and kernel at the end; slows GPU runs down");
+        timed->add_flag("--kernel-times", command.kernel_times, "wall time by phase and kernel at the end; slows GPU runs");
     add_report(app, command.report);
     app.add_subcommand("info", "version, backends, devices, optional parts");
 

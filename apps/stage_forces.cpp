@@ -76,7 +76,9 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
     forces.wall_needs = std::visit([](auto const& l) { return needs_of(l); }, wall_law);
     std::function<void(Real)> const on_grains = std::visit(
         [&state](auto const& l) -> std::function<void(Real)> {
-            return [&state, l](Real dt) { evaluate_contacts(l, state.particles, state.box, state.contacts, dt, state.integrator.gate()); };
+            return [&state, l](Real dt) {
+                evaluate_contacts(l, state.particles, state.box, state.contacts, dt, state.integrator.gate());
+            };
         },
         law);
     std::function<void(Real)> const on_walls = std::visit(

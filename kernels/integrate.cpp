@@ -187,7 +187,8 @@ unsigned read_health(Integrator const& integrator)
 
 bool says_stale(Integrator const& integrator)
 {
-    return integrator.step % integrator.look_interval == 0 && *static_cast<int const volatile*>(integrator.notice.data()) != StepGate::none;
+    if (integrator.step % integrator.look_interval != 0) return false;
+    return *static_cast<int const volatile*>(integrator.notice.data()) != StepGate::none;
 }
 
 int take_stale(Integrator& integrator)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Every kernel of the step by itself, on 33 000 grains (bonded, history on) and on 64^3 cells. Items are grains, or cells.
+// Every kernel of the step by itself, on 33 000 grains (bonded, history on) and on 64^3 cells. Items are grains, or
+// cells.
 #include "fluid/pressure.hpp"
 #include "perf/coupled_pack.hpp"
 
 #include <benchmark/benchmark.h>
 
-namespace {
+namespace
+{
 
 using namespace arenite;
 
@@ -87,21 +89,24 @@ void drag_to_grains(benchmark::State& state)
 void multigrid(benchmark::State& state)
 {
     FlowSolver& solver = fluid_pack().fluid.solver;
-    repeat(state, fluid_pack().fluid.flow.grid.cell_count(),
-           [&] { multigrid_cycle(solver.levels, solver.pressure_system.residual, solver.pressure_system.preconditioned); });
+    repeat(state, fluid_pack().fluid.flow.grid.cell_count(), [&] {
+        multigrid_cycle(solver.levels, solver.pressure_system.residual, solver.pressure_system.preconditioned);
+    });
 }
 
 void fluid_step(benchmark::State& state)
 {
     FluidState& fluid = fluid_pack().fluid;
-    repeat(state, fluid.flow.grid.cell_count(), [&] { advance_flow(fluid.flow, fluid.boundary, fluid.solver, CoupledPack::fluid_dt); });
+    repeat(state, fluid.flow.grid.cell_count(),
+           [&] { advance_flow(fluid.flow, fluid.boundary, fluid.solver, CoupledPack::fluid_dt); });
 }
 
 void pressure_solve(benchmark::State& state)
 {
     FluidState& fluid = fluid_pack().fluid;
     TimeDerivative const time = time_derivative(fluid.solver, CoupledPack::fluid_dt);
-    repeat(state, fluid.flow.grid.cell_count(), [&] { solve_pressure(fluid.flow, fluid.boundary, fluid.solver, time); });
+    repeat(state, fluid.flow.grid.cell_count(),
+           [&] { solve_pressure(fluid.flow, fluid.boundary, fluid.solver, time); });
 }
 
 } // namespace

@@ -3,8 +3,10 @@
 
 #include "apps/bench_pack.hpp"
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 MaterialSettings bench_sand()
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A box full of grains on a lattice (apps/bench_pack.hpp) and a fluid grid on it, every kernel of both ready to run: what the
-// benchmarks of single kernels and of the coupling work on.
+// A box full of grains on a lattice (apps/bench_pack.hpp) and a fluid grid on it, every kernel of both ready to run:
+// what the benchmarks of single kernels and of the coupling work on.
 #pragma once
 
 #include "apps/stage_forces.hpp"
@@ -8,7 +8,8 @@
 
 #include <array>
 
-namespace arenite {
+namespace arenite
+{
 
 struct CoupledPack {
     static constexpr Real grain_dt = 1e-8, fluid_dt = 1e-6; // s, the paper's
@@ -21,8 +22,8 @@ struct CoupledPack {
     SearchSettings search;
 };
 
-/// Fills `pack`, which must stay where it is. Closed but for injection from one side and a free outflow at the top, as the
-/// paper's sample; sand of 60 J/m2, under JKR all bonded.
+/// Fills `pack`, which must stay where it is. Closed but for injection from one side and a free outflow at the top, as
+/// the paper's sample; sand of 60 J/m2, under JKR all bonded.
 void make_coupled_pack(int grains, std::array<int, 3> const& cells, NormalLaw law, CoupledPack& pack);
 
 } // namespace arenite

@@ -26,7 +26,8 @@ cmake -S "$root" -B "$build" --preset bare-cuda -DARENITE_ENABLE_TESTS=OFF -DCMA
     -DCMAKE_CUDA_COMPILER_LAUNCHER="$build/keep_report.sh" >"$build/configure.log" ||
     { cat "$build/configure.log" >&2; exit 1; }
 # The libraries of the step, and the one file that instantiates the contact laws.
-objects=$(ninja -C "$build" -t targets all | sed -nE 's/^((core|kernels|fluid)\/.*\.cpp\.o|apps\/.*\/stage_forces\.cpp\.o):.*/\1/p')
+step='(core|kernels|fluid)\/.*\.cpp\.o|apps\/.*\/stage_forces\.cpp\.o'
+objects=$(ninja -C "$build" -t targets all | sed -nE "s/^($step):.*/\1/p")
 if [ $# -gt 0 ]; then
     objects=$(for name in "$@"; do grep "/$name\.cpp\.o$" <<<"$objects"; done)
 fi

@@ -62,7 +62,8 @@ void evaluate(GrainSystem& system)
 {
     std::visit(
         [&](auto const& law) {
-            evaluate_contacts(law, system.particles, system.settings.box, system.contacts, system.settings.dt, system.integrator.gate());
+            evaluate_contacts(law, system.particles, system.settings.box, system.contacts, system.settings.dt,
+                              system.integrator.gate());
         },
         make_contact_law(system.pairs));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the fluid and the exchange with it cost, measured in steps of the grains. Prints one CSV row; perf/fluid/run.py runs
-// it.
+// What the fluid and the exchange with it cost, measured in steps of the grains. Prints one CSV row; perf/fluid/run.py
+// runs it.
 //
 //   bench_coupling GRAINS CELLS_X CELLS_Y CELLS_Z REPEATS
 #include "perf/coupled_pack.hpp"
@@ -12,7 +12,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace {
+namespace
+{
 
 using namespace arenite;
 
@@ -50,8 +51,10 @@ void run(int grains, std::array<int, 3> const& cells, int repeats)
             deposit_porosity(fluid.flow, fluid.exchange, state.particles);
             deposit_drag(fluid.flow, fluid.exchange, state.particles, CoupledPack::fluid_dt);
         });
-        double const flow_took = seconds_of([&] { advance_flow(fluid.flow, fluid.boundary, fluid.solver, CoupledPack::fluid_dt); });
-        double const force_took = seconds_of([&] { evaluate_fluid_force(fluid.flow, fluid.solver, fluid.exchange, state.particles); });
+        double const flow_took =
+            seconds_of([&] { advance_flow(fluid.flow, fluid.boundary, fluid.solver, CoupledPack::fluid_dt); });
+        double const force_took =
+            seconds_of([&] { evaluate_fluid_force(fluid.flow, fluid.solver, fluid.exchange, state.particles); });
         if (n == 0) continue;
         grain.push_back(steps_took / steps);
         deposit.push_back(deposit_took);
@@ -60,8 +63,9 @@ void run(int grains, std::array<int, 3> const& cells, int repeats)
     }
     double const step = median(grain), exchange = median(deposit) + median(force), fluid_took = exchange + median(flow);
     auto const share = [&](int interval) { return fluid_took / (fluid_took + interval * step); };
-    std::fputs(fmt::format("{},{}x{}x{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.3f},{:.4f},{:.4f}\n", state.particles.count, cells[0], cells[1],
-                           cells[2], ExecutionSpace::name(), ExecutionSpace().concurrency(), 1e3 * step, 1e3 * median(deposit), 1e3 * median(force),
+    std::fputs(fmt::format("{},{}x{}x{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.3f},{:.4f},{:.4f}\n",
+                           state.particles.count, cells[0], cells[1], cells[2], ExecutionSpace::name(),
+                           ExecutionSpace().concurrency(), 1e3 * step, 1e3 * median(deposit), 1e3 * median(force),
                            1e3 * median(flow), exchange / step, share(100), share(50))
                    .c_str(),
                stdout);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The fluid alone: steps of a cube of n^3 cells whose void fraction varies from 0.35 in a bed to 1 in a cavity along its
-// axis, driven by a pressure difference. Prints one CSV row; perf/fluid/run.py runs it.
+// The fluid alone: steps of a cube of n^3 cells whose void fraction varies from 0.35 in a bed to 1 in a cavity along
+// its axis, driven by a pressure difference. Prints one CSV row; perf/fluid/run.py runs it.
 //
 //   bench_projection CELLS_PER_EDGE REPEATS [FOLDER]
 //
-// FOLDER: the pressure's linear system goes there as arrays of doubles, for another solver: conductance_x, _y, _z (one more
-// face than cells along their axis) and right_hand_side, x fastest.
+// FOLDER: the pressure's linear system goes there as arrays of doubles, for another solver: conductance_x, _y, _z (one
+// more face than cells along their axis) and right_hand_side, x fastest.
 #include "apps/bench_limits.hpp"
 #include "fluid/advance_flow.hpp"
 #include "fluid/halos.hpp"
@@ -20,7 +20,8 @@
 #include <cstdlib>
 #include <fstream>
 
-namespace {
+namespace
+{
 
 using namespace arenite;
 
@@ -80,23 +81,26 @@ template <class Work> double median_seconds(int repeats, Work const& work)
 void write(std::string const& path, View1<Real> const& view)
 {
     auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), view);
-    std::ofstream(path, std::ios::binary).write(reinterpret_cast<char const*>(host.data()), static_cast<std::streamsize>(host.size() * sizeof(Real)));
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<char const*>(host.data()), static_cast<std::streamsize>(host.size() * sizeof(Real)));
 }
 
-void write_system(std::string const& folder, Flow const& flow, FlowBoundary const& boundary, FlowSolver& solver, TimeDerivative const& time)
+void write_system(std::string const& folder, Flow const& flow, FlowBoundary const& boundary, FlowSolver& solver,
+                  TimeDerivative const& time)
 {
     int const iterations = std::exchange(solver.pressure_limits.iterations, 0);
     solve_pressure(flow, boundary, solver, time); // assembles, and leaves the right-hand side as the residual
     solver.pressure_limits.iterations = iterations;
-    for (int axis = 0; axis < 3; ++axis) write(folder + "/conductance_" + "xyz"[axis], solver.levels[0].conductance[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+        write(folder + "/conductance_" + "xyz"[axis], solver.levels[0].conductance[axis]);
     write(folder + "/right_hand_side", solver.pressure_system.residual);
 }
 
-// Traffic of the pressure solve in bytes per cell and iteration, each array of a kernel counted once. V-cycle, finest level:
-// smooth_from_zero 48 (b, diagonal, 3 conductances, x), restrict_residual 41 (x, b, conductances, an eighth of b),
-// prolong_and_smooth 65 (x, b, conductances, diagonal, correction, result, an eighth), smooth_again 56 (correction,
-// conductances, diagonal, result twice): 210, and 8/7 of it for all levels. Conjugate gradients: three dot products 40, three
-// updates 72, the matrix 40.
+// Traffic of the pressure solve in bytes per cell and iteration, each array of a kernel counted once. V-cycle, finest
+// level: smooth_from_zero 48 (b, diagonal, 3 conductances, x), restrict_residual 41 (x, b, conductances, an eighth of
+// b), prolong_and_smooth 65 (x, b, conductances, diagonal, correction, result, an eighth), smooth_again 56 (correction,
+// conductances, diagonal, result twice): 210, and 8/7 of it for all levels. Conjugate gradients: three dot products 40,
+// three updates 72, the matrix 40.
 constexpr double bytes_per_iteration = 210 * 8.0 / 7 + 152;
 
 void run(int cells, int repeats, std::string const& folder)
@@ -115,8 +119,9 @@ void run(int cells, int repeats, std::string const& folder)
     if (!folder.empty()) write_system(folder, flow, boundary, solver, time);
     double const count = flow.grid.cell_count(), copied = copy_bandwidth(1 << 29); // beyond any cache
     double const moved = bytes_per_iteration * count * std::max(pressure.iterations, 1) / solve;
-    std::fputs(fmt::format("{},{},{},{:.3f},{},{:.3f},{:.4g},{:.4g},{:.4g},{:.3f}\n", cells, ExecutionSpace::name(), ExecutionSpace().concurrency(),
-                           1e3 * whole, report.pressure_iterations, 1e3 * solve, 1e-6 * count / whole, 1e-9 * moved, 1e-9 * copied, moved / copied)
+    std::fputs(fmt::format("{},{},{},{:.3f},{},{:.3f},{:.4g},{:.4g},{:.4g},{:.3f}\n", cells, ExecutionSpace::name(),
+                           ExecutionSpace().concurrency(), 1e3 * whole, report.pressure_iterations, 1e3 * solve,
+                           1e-6 * count / whole, 1e-9 * moved, 1e-9 * copied, moved / copied)
                    .c_str(),
                stdout);
 }

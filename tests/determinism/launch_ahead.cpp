@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The host may look at what the device says as late as it likes: same bits. On a GPU it is late of itself; here it is made to be.
+// The host may look at what the device says as late as it likes: same bits. On a GPU it is late of itself; here it is
+// made to be.
 #include "apps/make_state.hpp"
 #include "apps/stage_loop.hpp"
 #include "apps/verify/packs.hpp"
@@ -10,8 +11,10 @@
 
 #include <cstring>
 
-namespace arenite {
-namespace {
+namespace arenite
+{
+namespace
+{
 
 namespace fs = std::filesystem;
 
@@ -90,7 +93,8 @@ RunState run_small_scene(int look_interval, std::int64_t& searches)
 
 template <class Records> bool same_bits(Records const& a, Records const& b, int count)
 {
-    auto const left = Kokkos::create_mirror_view_and_copy(HostSpace(), a), right = Kokkos::create_mirror_view_and_copy(HostSpace(), b);
+    auto const left = Kokkos::create_mirror_view_and_copy(HostSpace(), a),
+               right = Kokkos::create_mirror_view_and_copy(HostSpace(), b);
     return std::memcmp(left.data(), right.data(), static_cast<std::size_t>(count) * 4 * sizeof(Real)) == 0;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a grain step asks of the device, counted through Kokkos Tools, so on any backend: kernels launched, and moments at
-// which the host waits (a fence, a copy, a reduction to a number). A GPU of moderate size spends its time on these.
+// What a grain step asks of the device, counted through Kokkos Tools, so on any backend: kernels launched, and moments
+// at which the host waits (a fence, a copy, a reduction to a number). A GPU of moderate size spends its time on these.
 #include "apps/run.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace
+{
 
 namespace Tools = Kokkos::Tools::Experimental;
 using arenite::RunOptions;
@@ -36,7 +37,7 @@ struct StageCount {
 struct Listener {
     std::vector<std::string> phases; // open ones; the first is the stage
     Step step;
-    int copies = 0;                  // open ones: the fences in them are theirs
+    int copies = 0; // open ones: the fences in them are theirs
     std::map<std::string, StageCount> stages;
     bool in_step() const { return std::find(phases.begin(), phases.end(), "grain step") != phases.end(); }
 };
@@ -77,7 +78,8 @@ void launch_and_wait(char const* name, std::uint32_t device, std::uint64_t* id)
     launch(name, device, id);
     ++listener.step.waits;
 }
-void begin_copy(Kokkos::Tools::SpaceHandle, char const*, void const*, Kokkos::Tools::SpaceHandle, char const*, void const*, std::uint64_t)
+void begin_copy(Kokkos::Tools::SpaceHandle, char const*, void const*, Kokkos::Tools::SpaceHandle, char const*,
+                void const*, std::uint64_t)
 {
     ++listener.step.waits;
     ++listener.copies;
@@ -118,7 +120,8 @@ std::map<std::string, StageCount> const& counts()
         for (auto const& [name, stage] : listener.stages) {
             double const plain = static_cast<double>(stage.steps - stage.searches);
             std::printf("%-22s %8lld %8lld %14.3f %14.4f\n", name.c_str(), static_cast<long long>(stage.steps),
-                        static_cast<long long>(stage.searches), static_cast<double>(stage.launches) / plain, static_cast<double>(stage.waits) / plain);
+                        static_cast<long long>(stage.searches), static_cast<double>(stage.launches) / plain,
+                        static_cast<double>(stage.waits) / plain);
         }
         return true;
     }();
