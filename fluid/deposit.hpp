@@ -12,6 +12,7 @@
 
 #include "core/cell_list.hpp"
 #include "core/grid.hpp"
+#include "core/lanes.hpp"
 #include "core/particles.hpp"
 
 namespace arenite
@@ -76,10 +77,18 @@ GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const&
 /// quantity: [entry][components]; cell: [cell number][components].
 void deposit(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int components);
 
+/// Columns of a table of cells that interpolate_at reads: a cell's components go through whole vectors of the processor.
+KOKKOS_FUNCTION constexpr int interpolated_columns(int components)
+{
+    return (components + lane_count - 1) / lane_count * lane_count;
+}
+
 /// One entry's mean of the cells' values, the adjoint of deposit: sum over cells of weight * cell(c, q).
+/// cell: [cell number][interpolated_columns(components)].
 template <int components> KOKKOS_FUNCTION void interpolate_at(GrainWeights const& weights, int entry,
                                                               TableView const& cell, Real (&value)[components])
 {
+    constexpr int columns = interpolated_columns(components), packs = columns / lane_count;
     DepositStencil const& stencil = weights.stencil;
     int const block = weights.block(entry);
     int const i0 = block % stencil.starts[0];
@@ -88,20 +97,25 @@ template <int components> KOKKOS_FUNCTION void interpolate_at(GrainWeights const
     Real const* const wx = &weights.weight(entry, 0);
     Real const* const wy = &weights.weight(entry, stencil.y_slot());
     Real const* const wz = &weights.weight(entry, stencil.z_slot());
-    for (int q = 0; q < components; ++q) value[q] = 0;
+    Lanes sum[packs];
+    for (int p = 0; p < packs; ++p) sum[p] = Lanes(0);
     for (int c = 0; c < stencil.slots[2]; ++c) {
         int const k = stencil.cell(2, k0, c);
         for (int b = 0; b < stencil.slots[1]; ++b) {
             int const row = stencil.grid.cells[0] * (stencil.cell(1, j0, b) + stencil.grid.cells[1] * k);
-            Real along_x[components] = {};
+            Lanes along_x[packs];
+            for (int p = 0; p < packs; ++p) along_x[p] = Lanes(0);
             for (int a = 0; a < stencil.slots[0]; ++a) {
                 Real const* const values = &cell(row + stencil.cell(0, i0, a), 0);
-                for (int q = 0; q < components; ++q) along_x[q] += wx[a] * values[q];
+                for (int p = 0; p < packs; ++p) along_x[p] += wx[a] * load_lanes(values + p * lane_count);
             }
             Real const wyz = wy[b] * wz[c];
-            for (int q = 0; q < components; ++q) value[q] += wyz * along_x[q];
+            for (int p = 0; p < packs; ++p) sum[p] += wyz * along_x[p];
         }
     }
+    Real all[columns];
+    for (int p = 0; p < packs; ++p) store_lanes(sum[p], all + p * lane_count);
+    for (int q = 0; q < components; ++q) value[q] = all[q];
 }
 
 } // namespace arenite

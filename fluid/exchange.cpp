@@ -204,7 +204,7 @@ Exchange make_exchange(Flow const& flow, Particles& particles, FluidSettings con
     exchange.minimum_porosity = settings.minimum_porosity;
     int const cells = flow.grid.cell_count();
     fit(exchange.cell_sum, "exchange_cell_sum", cells, 4);
-    fit(exchange.cell_value, "exchange_cell_value", cells, 6);
+    exchange.cell_value = TableView("exchange_cell_value", cells, interpolated_columns(6));
     ARENITE_REQUIRE(flow.has_drag(), "the flow was made without grains");
     if (!particles.fluid_force.is_allocated())
         particles.fluid_force = RecordView("fluid_force", particles.position.extent(0));
