@@ -18,7 +18,10 @@ using MemorySpace = ExecutionSpace::memory_space;
 using HostSpace = Kokkos::HostSpace;
 using PinnedSpace = Kokkos::SharedHostPinnedSpace; // the host's memory, which the device can write
 
-using RangePolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>>;
+/// What a kernel needs travels as its arguments (up to 4 kB). Without the hint Kokkos puts more than 512 bytes into CUDA's
+/// constant memory, and then the host waits there until the kernel before has ended.
+using RangePolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>,
+                                        Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
 using TeamPolicy = Kokkos::TeamPolicy<ExecutionSpace>;
 
 template <class T> using View1 = Kokkos::View<T*, MemorySpace>;
