@@ -21,7 +21,11 @@ REGISTER_UNIT, SHARED_UNIT, SHARED_RESERVED = 256, 128, 1024  # allocated per wa
 
 NOISE = {"Kokkos", "Impl", "arenite", "RangePolicy", "IndexType", "Cuda", "OpenMP", "View", "CudaSpace", "ParallelFor",
          "ParallelReduce", "ParallelScan", "ParallelScanWithTotal", "CombinedFunctorReducer", "LaunchBounds", "Device",
+         "CombinedReductionFunctorWrapper", "FunctorAnalysis", "Reducer", "reproducible", "WorkItemProperty",
+         "ImplWorkItemProperty", "Experimental",
          "cuda_parallel_launch_local_memory", "cuda_parallel_launch_constant_memory", "cuda_parallel_launch_global_memory"}
+
+LOOPS = {"for_each_cell", "for_each_face", "for_each_node", "sum_chunks"}
 
 
 def identifiers(mangled):
@@ -43,6 +47,9 @@ def label(mangled):
     names = [name for name in identifiers(mangled) if name not in NOISE and "_cpp_" not in name and "INTERNAL" not in name]
     if not names:
         return "unnamed"
+    if names[0] in LOOPS:  # and what runs in it
+        inner = [name for name in names[1:] if name not in LOOPS and not name.startswith("_") and len(name) > 4]
+        return names[0] + (f"<{inner[0]}>" if inner else "")
     if "Unvhdl" in mangled or names[0][0].islower():  # a lambda: its function says all
         return names[0]
     laws = [n for n in names[1:] if re.search(r"Law|Normal|Hertz|Jkr|Tangential|Mindlin|Spring|Secant|Box|Drag|Eval", n)]
