@@ -34,12 +34,13 @@ fi
 # shellcheck disable=SC2086 # a list
 ninja -C "$build" ${ARENITE_CUDA_JOBS:+-j$ARENITE_CUDA_JOBS} $objects
 mkdir -p "$root/perf/results/cuda_sm90"
+changed=$(git -C "$root" status --porcelain -- ':!perf/results' 2>/dev/null | sed -n '1s/.*/-modified/p')
 nvcc=$(sed -n 's/^CMAKE_CUDA_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 # shellcheck disable=SC2086
 (cd "$build" && python3 "$root/perf/cuda_report.py" $objects) >"$build/kernels.csv"
 {
     echo "# perf/cuda_report.sh: $("$nvcc" --version | sed -n 's/.*release \([0-9.]*\).*/nvcc \1/p'), sm_90, -O3;" \
-        "commit $(git -C "$root" describe --always --dirty 2>/dev/null || echo unknown)"
+        "commit $(git -C "$root" describe --always 2>/dev/null || echo unknown)$changed"
     cat "$build/kernels.csv"
 } >"$root/perf/results/cuda_sm90/kernels.csv"
 echo "perf/results/cuda_sm90/kernels.csv: $(($(wc -l <"$build/kernels.csv") - 1)) kernels"
