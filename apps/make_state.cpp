@@ -83,7 +83,7 @@ void generate_particles(Scene const& scene, RunState& state)
     set_particles(scene, pack_at_random(classes, region, material, scene.random_seed), state);
 }
 
-void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state, std::optional<Region> const& known_box)
+void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state, std::optional<KnownFluid> const& known)
 {
     if (!planned.settings.fluid || !scene.fluid) {
         state.fluid.reset();
@@ -92,11 +92,11 @@ void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& st
     }
     if (state.fluid) return; // it goes on from the stage before
     FluidSettings const& settings = *scene.fluid;
-    bool const with_grains = state.particles.count > 0;
+    bool const with_grains = known ? known->with_grains : state.particles.count > 0;
     Vec3 const gravity = planned.settings.gravity.value_or(scene.domain.gravity);
     state.fluid = std::make_unique<FluidState>();
     FluidState& fluid = *state.fluid;
-    fluid.box = known_box ? *known_box : fluid_box(scene, state);
+    fluid.box = known ? known->box : fluid_box(scene, state);
     fluid.flow = make_flow(settings, fluid.box, with_grains, gravity);
     fluid.boundary = make_boundary(settings, fluid.flow.grid);
     fluid.solver = make_flow_solver(settings, fluid.flow);

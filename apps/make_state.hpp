@@ -19,10 +19,15 @@ RunState make_run_state(Scene const& scene);
 /// Puts grains of the scene's size distribution at random places. Throws InputError.
 void generate_particles(Scene const& scene, RunState& state);
 
+/// What a checkpoint knows of its fluid, and the scene and the grains may tell no longer.
+struct KnownFluid {
+    Region box;               // m
+    bool with_grains = false; // when it was made
+};
+
 /// Makes the fluid when the stage has one and the run does not yet, and lets it go when the stage has none. Its box is that
 /// of a checkpoint, or what the scene says with the walls where they are.
-void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state,
-                   std::optional<Region> const& known_box = {});
+void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state, std::optional<KnownFluid> const& known = {});
 
 /// m; the scene-independent 1 m where there is no grain.
 Real smallest_grain_diameter(Particles const& particles);

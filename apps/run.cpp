@@ -4,6 +4,7 @@
 #include "apps/make_state.hpp"
 #include "apps/run_checkpoint.hpp"
 #include "apps/stage_loop.hpp"
+#include "apps/stop_signal.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/build_info.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 
 namespace arenite {
@@ -79,6 +81,18 @@ void say_how_it_ended(RunOutput& output, SimulationError const& error)
     }
 }
 
+int stopped_by_signal(RunOptions const& options, fs::path const& folder, RunState const& state, RunOutput& output)
+{
+    std::string const name = stop_signal() == SIGINT ? "SIGINT" : "SIGTERM";
+    output.finish("stopped by " + name);
+    std::string command = fmt::format("arenite run {} -o {}", options.scene, folder.string());
+    for (std::string const& change : options.overrides) command += fmt::format(" --set '{}'", change);
+    std::string const how = can_write_checkpoints() ? fmt::format("to go on: {} --resume", command)
+                                                    : "this build writes no checkpoints: it has to begin anew";
+    std::fputs(fmt::format("stopped by {} after step {}, {:.6g} s; {}\n", name, state.clock.step, state.clock.time(), how).c_str(), stderr);
+    return 128 + stop_signal();
+}
+
 /// Runs the stages; returns how the run ended.
 std::string run_stages(Scene const& scene, StagePlan const& plan, Until const& until, RunState& state, RunOutput& output)
 {
@@ -92,7 +106,9 @@ std::string run_stages(Scene const& scene, StagePlan const& plan, Until const& u
         state.clock = {state.clock.stage + 1, state.clock.step, 0, state.clock.time(), 0};
         state.tuned_friction = -1;
         output.write_checkpoint(state, true);
-        bool const last_part = state.clock.stage == static_cast<int>(plan.size()) || plan[state.clock.stage].scene_stage != planned.scene_stage;
+        bool const more = state.clock.stage < static_cast<int>(plan.size());
+        if (more && (stop_signal() != 0 || until.reached(state.clock.time()))) return "stopped";
+        bool const last_part = !more || plan[state.clock.stage].scene_stage != planned.scene_stage;
         if (last_part && scene.stages[planned.scene_stage].name == until.stage) return "stopped";
     }
     return "done";
@@ -114,7 +130,9 @@ int run_scene(RunOptions const& options)
     RunOutput output(folder, scene, plan, resume, state.clock.stage, options.quiet);
     try {
         output.open();
+        StopSignals const signals;
         std::string const outcome = run_stages(scene, plan, until, state, output);
+        if (outcome == "stopped" && stop_signal() != 0) return stopped_by_signal(options, folder, state, output);
         output.finish(outcome);
         output.say(fmt::format("{}: {} grains produced, {:.6g} kg; look at {}", outcome, state.tally.produced_count,
                                state.tally.produced_mass, folder.string()));

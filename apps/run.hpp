@@ -17,7 +17,8 @@ struct RunOptions {
     bool quiet = false;
 };
 
-/// Exit code: 0 done, 1 physics or an output file that cannot be written ended it. Throws InputError for bad input, before anything is written.
+/// Exit code: 0 done or stopped where `until` says, 1 physics or an output file that cannot be written ended it, 128 + n
+/// stopped by signal n (SIGINT, SIGTERM). Throws InputError for bad input, before anything is written.
 int run_scene(RunOptions const& options);
 
 } // namespace arenite

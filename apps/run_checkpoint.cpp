@@ -53,6 +53,8 @@ template <class State, class Function> void for_each_array(State& state, Functio
     f("particles/pressure_force", state.particles.pressure_force);
     f("contacts/row_begin", state.contacts.row_begin);
     f("contacts/second", state.contacts.second);
+    f("contacts/image", state.contacts.image);
+    f("contacts/reference_position", state.contacts.reference_position);
     f("contacts/touching", state.contacts.touching);
     f("contacts/adhering", state.contacts.adhering);
     f("contacts/spring", state.contacts.spring);
@@ -154,6 +156,13 @@ void save_fluid(CheckpointWriter& out, FluidState& fluid)
     });
     out.array("fluid_box", std::vector<Real>{fluid.box.lower.x, fluid.box.lower.y, fluid.box.lower.z, fluid.box.upper.x,
                                              fluid.box.upper.y, fluid.box.upper.z});
+    Vec3 const& body_force = fluid.flow.body_force; // of the stage that made the fluid
+    out.array("fluid_body_force", std::vector<Real>{body_force.x, body_force.y, body_force.z});
+    out.value("fluid/with_grains", fluid.flow.has_drag() ? 1 : 0);
+    FlowReport const& report = fluid.report;
+    out.array("fluid_report", std::vector<Real>{static_cast<Real>(report.pressure_iterations), report.pressure_residual,
+                                                report.continuity_error, report.courant, report.inflow, report.outflow,
+                                                report.converged ? Real(1) : Real(0)});
     CoupledSet const& coupled = fluid.exchange.coupled;
     out.value("coupled/count", coupled.count);
     out.value("coupled/digest", static_cast<std::int64_t>(coupled.digest));
@@ -171,8 +180,10 @@ void save_fluid(CheckpointWriter& out, FluidState& fluid)
 void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage const& planned, RunState& state)
 {
     Particles const held = state.particles; // forces held between fluid steps
+    bool const whole = in.has("fluid_report"); // earlier checkpoints of this format lack it and what goes with it
     std::vector<Real> const b = in.array<Real>("fluid_box");
-    prepare_fluid(scene, planned, state, Region{{b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)}});
+    bool const with_grains = whole ? in.value<int>("fluid/with_grains") != 0 : state.particles.count > 0;
+    prepare_fluid(scene, planned, state, KnownFluid{{{b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)}}, with_grains});
     if (held.fluid_force.is_allocated()) state.particles.fluid_force = held.fluid_force;
     if (held.coasting.is_allocated()) state.particles.coasting = held.coasting;
     if (held.pressure_force.is_allocated()) state.particles.pressure_force = held.pressure_force;
@@ -181,6 +192,11 @@ void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage con
         if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Real>) field = in.value<Real>("fluid/" + name);
         else if (in.has("fluid/" + name)) in.view("fluid/" + name, field);
     });
+    if (whole) {
+        std::vector<Real> const body_force = in.array<Real>("fluid_body_force"), r = in.array<Real>("fluid_report");
+        for (int axis = 0; axis < 3; ++axis) fluid.flow.body_force[axis] = body_force.at(axis);
+        fluid.report = {static_cast<int>(r.at(0)), r.at(1), r.at(2), r.at(3), r.at(4), r.at(5), r.at(6) != 0};
+    }
     CoupledSet& coupled = fluid.exchange.coupled;
     coupled.count = in.value<int>("coupled/count");
     coupled.digest = static_cast<std::uint64_t>(in.value<std::int64_t>("coupled/digest"));
@@ -251,6 +267,7 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
     else if (in.has("energy/work")) state.energy = load_energy(in);
     state.groups = load_groups(in, scene.groups.size());
     state.contacts.count = in.value<int>("contacts/count");
+    state.contacts.periodic = state.box.any_periodic();
     state.contacts.needs = {state.contacts.spring.is_allocated(), state.contacts.adhering.is_allocated()};
     restore_walls(state.walls, load_named(in, "walls/"));
     state.wall_contacts = restore_wall_contacts(load_named(in, "wall_contacts/"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole state of a run in a checkpoint, bit for bit. Written right after both contact lists were searched, so
-// that a resumed run, which searches too, has its grains in the same rows as the run that went on.
+// The whole state of a run in a checkpoint, bit for bit: the grains in their rows, the contact list as it is, and where
+// grains and walls were when it was built, so that a resumed run searches next where the run that went on does.
 #pragma once
 
 #include "apps/run_state.hpp"

@@ -42,6 +42,7 @@ public:
     void write_start(RunState& state, Look const& look);
     /// History and fields if this step is due (or the stage ended), and the progress line.
     void write_due(StageSetup const& setup, RunState& state, StageWatch& watch, bool ended);
+    void write_fields(RunState& state);
     void end_stage(StageSetup const& setup, RunState& state, StageWatch& watch, std::string const& ended_by);
 
     bool checkpoint_is_due(RunState const& state) const;
@@ -59,7 +60,6 @@ public:
 
 private:
     void write_history(RunState& state, Look const& look);
-    void write_fields(RunState& state);
     void fluid_warnings(RunState const& state);
     void warn_of_little_space(RunState const& state);
     void flush_tables();

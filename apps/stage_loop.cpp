@@ -4,26 +4,39 @@
 #include "apps/make_state.hpp"
 #include "apps/stage_setup.hpp"
 #include "apps/stage_watch.hpp"
+#include "apps/stop_signal.hpp"
 #include "core/wall_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace arenite {
 namespace {
 
 /// Velocities stand at the time of the positions only where somebody looks; in between kick and drift are one kernel.
+/// A stage ends and grains leave at steps that neither output nor a stop chooses: the bits do not depend on them.
 struct Cadence {
-    int fluid = 0, production = 0, check = 0;
+    static constexpr int check = 100; // steps
+    int fluid = 0;                    // steps; 0: none
+    std::int64_t last = 0, until = 0; // steps of the stage, where it or the run ends; 0: none
     OutputCadence output;
 
+    bool checks_at(std::int64_t step) const { return step % check == 0 || step == last; }
     bool stops_at(std::int64_t step) const
     {
-        return (fluid > 0 && step % fluid == 0) || step % production == 0 || step % check == 0 || output.due(step);
+        return (fluid > 0 && step % fluid == 0) || checks_at(step) || step == until || output.due(step);
     }
 };
 
-Cadence make_cadence(PlannedStage const& planned, RunOutput const& output)
+Cadence make_cadence(PlannedStage const& planned, StageWatch const& watch, Until const& until, Clock clock, RunOutput const& output)
 {
-    constexpr int production_interval = 100, check_interval = 100; // steps
-    return {planned.coupling_interval, production_interval, check_interval, output.cadence(planned)};
+    Cadence cadence{planned.coupling_interval, watch.last_step(), 0, output.cadence(planned)};
+    if (!until.time || !(planned.dt > 0)) return cadence;
+    Real const steps = std::ceil((*until.time - clock.stage_start) / planned.dt) - 2; // and the first step that is there
+    if (!(steps < Real(1e15))) return cadence;
+    for (clock.stage_step = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps)); !until.reached(clock.time());) ++clock.stage_step;
+    cadence.until = clock.stage_step;
+    return cadence;
 }
 
 void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
@@ -98,23 +111,31 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
     if (planned.settings.kind == StageKind::generation) return "grains placed";
     if (scene.output.energies && !(resumes && state.energy)) open_account(setup, state);
 
-    Cadence const cadence = make_cadence(planned, output);
-    StageWatch watch(scene, planned, until);
+    StageWatch watch(scene, planned);
+    Cadence const cadence = make_cadence(planned, watch, until, state.clock, output);
     output.begin_stage(planned, state);
     warn_of_fast_walls(setup, state, output);
     if (!resumes) output.write_start(state, watch.look(setup, state));
     for (bool first = true;; first = false) {
+        std::int64_t const step = state.clock.stage_step;
         if (!(first && resumes)) {
-            std::optional<std::string> const ended = watch.has_ended(setup, state);
+            std::optional<std::string> ended;
+            if (cadence.checks_at(step)) ended = watch.has_ended(setup, state);
             if (!first) {
                 output.write_due(setup, state, watch, ended.has_value());
-                if (remove_departed(setup, state, output) || output.checkpoint_is_due(state)) search(setup, state);
-                if (!ended && output.checkpoint_is_due(state)) output.write_checkpoint(state, false);
+                if (cadence.checks_at(step)) remove_departed(setup, state, output);
             }
             if (ended) {
                 output.end_stage(setup, state, watch, *ended);
                 return *ended;
             }
+            if (!first && output.checkpoint_is_due(state)) output.write_checkpoint(state, false);
+            if (step == cadence.until) output.write_fields(state); // no row of the history: the table is that of a run without a stop
+        }
+        bool const past_until = cadence.until > 0 && step >= cadence.until;
+        if (!first && (past_until || stop_signal() != 0)) {
+            output.end_stage(setup, state, watch, "stopped");
+            return "stopped";
         }
         if (cadence.fluid > 0 && state.clock.stage_step % cadence.fluid == 0) {
             advance_fluid(*state.fluid, state.particles, cadence.fluid * planned.dt);

@@ -15,12 +15,14 @@ namespace arenite {
 struct Until {
     std::string stage;          // after the stage of this name
     std::optional<Real> time;   // s
+
+    bool reached(Real now) const { return time && now >= *time * (1 - Real(1e-12)); }
 };
 
 /// Runs the planned stage that state.clock is in, from its beginning, or from the middle if the state comes from a
-/// checkpoint there. Returns what ended it. Throws SimulationError with the grain or cell, the step and the cause.
+/// checkpoint there. Returns what ended it; "stopped": nothing did, the user wants no more. Throws SimulationError with the
+/// grain or cell, the step and the cause.
 std::string run_stage(Scene const& scene, PlannedStage const& planned, Until const& until, RunState& state,
                       RunOutput& output);
-
 
 } // namespace arenite

@@ -18,8 +18,11 @@
 namespace arenite {
 namespace {
 
-void set_skin_limits(StageSetup& setup, RunState& state, Real smallest_diameter)
+/// From the scene's smallest grain, which may have left the run: the limits are the same after a resume.
+void set_skin_limits(StageSetup& setup, RunState& state)
 {
+    Real const known = setup.planned->limits.smallest_diameter;
+    Real const smallest_diameter = known > 0 ? known : Real(1); // any, where there are no grains
     Real reach = 0; // how far apart adhering grains can be
     for (PairConstants const& pair : setup.planned->pairs)
         if (pair.surface_energy > 0)
@@ -28,6 +31,26 @@ void set_skin_limits(StageSetup& setup, RunState& state, Real smallest_diameter)
     setup.most_skin = std::max(Real(0.3) * smallest_diameter, setup.least_skin);
     if (!(state.skin > 0)) state.skin = Real(0.1) * smallest_diameter;
     state.skin = std::clamp(state.skin, setup.least_skin, setup.most_skin);
+}
+
+/// The sample strains about the end that is opposite to the carrier.
+void hold_far_end(StageSetup& setup, RunState const& state)
+{
+    Vec3 const axis = axis_of(state.walls, setup.carrier);
+    Region const sample = sample_region(state.walls, state.box);
+    for (int n = 0; n < 3; ++n)
+        if (std::fabs(axis[n]) >= Real(0.5)) setup.step.box_lower[n] = axis[n] < 0 ? sample.lower[n] : sample.upper[n];
+}
+
+/// It strains as the carrier moves.
+void ride_on_carrier(StageSetup& setup, RunState& state)
+{
+    Vec3 const axis = axis_of(state.walls, setup.carrier);
+    WallState const& wall = state.walls.state[setup.carrier];
+    hold_far_end(setup, state);
+    state.box.strain_rate = {};
+    for (int n = 0; n < 3; ++n)
+        if (std::fabs(axis[n]) >= Real(0.5)) state.box.strain_rate[n] = wall.velocity[n] / (wall.position[n] - setup.step.box_lower[n]);
 }
 
 StageSetup make_setup(Scene const& scene, PlannedStage const& planned, RunState& state)
@@ -42,11 +65,20 @@ StageSetup make_setup(Scene const& scene, PlannedStage const& planned, RunState&
     setup.step.box_lower = state.box.lower;
     if (!stage.outlet_wall.empty()) setup.outlet = state.walls.find(stage.outlet_wall);
     if (!stage.carrier.empty()) setup.carrier = state.walls.find(stage.carrier);
+    if (setup.carrier >= 0) hold_far_end(setup, state);
     setup.step.strain_rate = state.box.strain_rate;
     setup.walls_move = any_wall_moves(state.walls);
     setup.known.step = state.clock.step;
-    set_skin_limits(setup, state, smallest_grain_diameter(state.particles));
+    set_skin_limits(setup, state);
     return setup;
+}
+
+/// The lists of a checkpoint, which was written in between two searches.
+void take_up_lists(StageSetup& setup, RunState& state)
+{
+    complete_list(state.particles, state.contacts);
+    complete_wall_contacts(state.particles, state.walls, state.wall_contacts);
+    setup.step.allowed_move = state.skin / 2;
 }
 
 /// The box follows the step that the grains just made; then the next rates: those that the scene gives, and those that
@@ -67,21 +99,6 @@ void steer_box(StageSetup const& setup, RunState& state)
             Real const miss = (stress[axis] - *box.stress[axis]) / std::max(std::fabs(*box.stress[axis]), Real(1));
             state.box.strain_rate[axis] = std::clamp(miss, Real(-1), Real(1)) * box.max_strain_rate;
         }
-}
-
-/// The sample strains as the carrier moves, about the far end of the domain.
-void ride_on_carrier(StageSetup& setup, RunState& state)
-{
-    Vec3 const axis = axis_of(state.walls, setup.carrier);
-    WallState const& wall = state.walls.state[setup.carrier];
-    Region const sample = sample_region(state.walls, state.box);
-    state.box.strain_rate = {};
-    for (int n = 0; n < 3; ++n) {
-        if (std::fabs(axis[n]) < Real(0.5)) continue;
-        Real const fixed = axis[n] < 0 ? sample.lower[n] : sample.upper[n];
-        state.box.strain_rate[n] = wall.velocity[n] / (wall.position[n] - fixed);
-        setup.step.box_lower[n] = fixed;
-    }
 }
 
 void advance_walls(StageSetup& setup, RunState& state)
@@ -143,7 +160,8 @@ StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState
 StageSetup resume_stage(Scene const& scene, PlannedStage const& planned, RunState& state)
 {
     StageSetup setup = make_setup(scene, planned, state);
-    search(setup, state);
+    if (state.contacts.reference_position.is_allocated()) take_up_lists(setup, state);
+    else search(setup, state); // a checkpoint of an earlier version, written right after a search
     return setup;
 }
 

@@ -2,7 +2,6 @@
 #include "apps/stage_watch.hpp"
 
 #include "apps/sample.hpp"
-#include "apps/stage_loop.hpp"
 #include "core/error.hpp"
 #include "kernels/stress.hpp"
 #include "kernels/wall_reactions.hpp"
@@ -47,8 +46,7 @@ Real step_ratio(StageSetup const& setup, Real normal_stiffness)
 
 } // namespace
 
-StageWatch::StageWatch(Scene const& scene, PlannedStage const& planned, Until const& until)
-    : scene_(scene), stage_(planned.settings), until_(until)
+StageWatch::StageWatch(Scene const& scene, PlannedStage const& planned) : scene_(scene), stage_(planned.settings)
 {
     // A condition without a duration may take as long as it needs; a duration is a whole number of steps.
     if (stage_.duration > 0) last_step_ = static_cast<std::int64_t>(std::llround(std::ceil(stage_.duration / planned.dt * (1 - 1e-12))));
@@ -134,7 +132,6 @@ void StageWatch::tune_friction(StageSetup& setup, RunState& state)
 
 std::optional<std::string> StageWatch::has_ended(StageSetup& setup, RunState& state)
 {
-    if (until_.time && state.clock.time() >= *until_.time * (1 - Real(1e-12))) return "stopped";
     bool const timed_out = last_step_ > 0 && state.clock.stage_step >= last_step_;
     if (!stage_.end.any()) return timed_out || stage_.duration <= 0 ? std::optional<std::string>("duration") : std::nullopt;
     if (conditions_hold(setup, state)) return "conditions met";

@@ -12,8 +12,6 @@
 
 namespace arenite {
 
-struct Until;
-
 /// One look at the state, made where velocities and positions are of the same time.
 struct Look {
     GrainReport grains;
@@ -27,10 +25,13 @@ struct Look {
 
 class StageWatch {
 public:
-    StageWatch(Scene const& scene, PlannedStage const& planned, Until const& until);
+    StageWatch(Scene const& scene, PlannedStage const& planned);
 
     /// The state as it is; made once per step however often it is asked for.
     Look const& look(StageSetup const& setup, RunState& state);
+
+    /// The step of the stage in which its duration ends; 0: it has none.
+    std::int64_t last_step() const { return last_step_; }
 
     /// What ended the stage, if something did. Also turns the friction that a stage tunes.
     std::optional<std::string> has_ended(StageSetup& setup, RunState& state);
@@ -50,7 +51,6 @@ private:
 
     Scene const& scene_;
     StageSettings const& stage_;
-    Until const& until_;
     std::int64_t last_step_ = 0; // of the stage
     Look look_;
     Real highest_step_ratio_ = 0, highest_overlap_ratio_ = 0;

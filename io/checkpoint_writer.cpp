@@ -13,6 +13,18 @@ using hdf5::Handle;
 
 bool can_write_checkpoints() { return true; }
 
+namespace {
+
+/// Properties of something that does not keep its time: the same state gives the same bytes.
+Handle timeless(hid_t kind)
+{
+    Handle properties(H5Pcreate(kind), H5Pclose);
+    H5Pset_obj_track_times(properties.get(), 0);
+    return properties;
+}
+
+} // namespace
+
 struct CheckpointWriter::File {
     std::filesystem::path path;
     CheckpointStamp stamp;
@@ -43,6 +55,16 @@ struct CheckpointWriter::File {
         check(target.valid() && H5Awrite(target.get(), type.get(), value.c_str()) >= 0,
               fmt::format("cannot write '{}'", name));
     }
+    void make_groups(std::string const& name) const
+    {
+        Handle const creation = timeless(H5P_GROUP_CREATE);
+        for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1)) {
+            std::string const group = name.substr(0, end);
+            if (H5Lexists(handle.get(), group.c_str(), H5P_DEFAULT) > 0) continue;
+            Handle const made(H5Gcreate2(handle.get(), group.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT), H5Gclose);
+            check(made.valid(), fmt::format("cannot write '{}'", group));
+        }
+    }
     /// For whoever opens the file with another program; we read the header.
     void describe() const
     {
@@ -60,7 +82,7 @@ CheckpointWriter::CheckpointWriter(std::filesystem::path path, CheckpointStamp c
     hdf5::Quiet const quiet;
     file_->path = std::move(path);
     file_->stamp = stamp;
-    Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    Handle const access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose), creation = timeless(H5P_FILE_CREATE);
     H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_LATEST);
     H5Pset_userblock(creation.get(), header_room(stamp));
     file_->handle =
@@ -84,10 +106,10 @@ void CheckpointWriter::write(std::string const& name, Element kind, std::vector<
     std::vector<hsize_t> const extents(shape.begin(), shape.end());
     hid_t const type = hdf5::type_of(kind);
     Handle const space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
-    Handle const links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    H5Pset_create_intermediate_group(links.get(), 1);
+    file_->make_groups(name);
+    Handle const creation = timeless(H5P_DATASET_CREATE);
     Handle const target(
-        H5Dcreate2(file_->handle.get(), name.c_str(), type, space.get(), links.get(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Dcreate2(file_->handle.get(), name.c_str(), type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
         H5Dclose);
     std::size_t const count = size_of(shape);
     bool const written =

@@ -495,6 +495,21 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     Kokkos::deep_copy(contacts.reference_position, Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
 }
 
+void complete_list(Particles const& particles, ContactList& contacts)
+{
+    std::size_t const rows = contacts.second.extent(0);
+    contacts.first = View1<int>("contact_first", rows);
+    contacts.scale = ContactColumns<3>(uninitialized("contact_scale"), rows);
+    Kokkos::deep_copy(contacts.scale, 1); // of the rows beyond the last contact
+    ContactList const list = contacts;
+    Kokkos::parallel_for(
+        "complete_list", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
+            for (int c = list.row_begin(i); c < list.row_begin(i + 1); ++c) list.first(c) = i;
+        });
+    set_scales(particles, contacts);
+    make_incidence(particles, contacts);
+}
+
 int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts)
 {
     ARENITE_REQUIRE(contacts.needs.bonds, "the contact list holds no bonds");

@@ -22,6 +22,11 @@ struct SearchSettings {
 /// Throws InputError if a periodic edge is shorter than two cutoffs: a pair would meet twice.
 void search_contacts(Particles& particles, PeriodicBox const& box, SearchSettings const& settings, ContactList& contacts);
 
+/// A list that came out of a checkpoint holds what it was built from and what its contacts remember (count, needs, periodic,
+/// row_begin, second, image, touching, adhering, spring, force, reference_position); this adds what follows from that.
+/// The grains are in the rows that they had. Then the list goes stale when it would have.
+void complete_list(Particles const& particles, ContactList& contacts);
+
 /// Modified JKR: every contact that touches becomes a bond. Returns how many there are then.
 int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts);
 

@@ -4,6 +4,9 @@
 
 #include "core/error.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace arenite {
 namespace {
 
@@ -38,7 +41,13 @@ template <class ViewType> ViewType unflatten(std::vector<Real> const& values, ch
 
 std::map<std::string, std::vector<Real>> save_wall_contacts(WallContacts const& contacts)
 {
-    return {{"id", flatten(contacts.id)},           {"element", flatten(contacts.element)},
+    std::vector<Real> poses;
+    for (WallPose const& pose : contacts.reference_pose) {
+        for (int axis = 0; axis < 3; ++axis) poses.push_back(pose.position[axis]);
+        poses.insert(poses.end(), std::begin(pose.rotation), std::end(pose.rotation));
+    }
+    return {{"reference_pose", poses},
+            {"id", flatten(contacts.id)},           {"element", flatten(contacts.element)},
             {"touching", flatten(contacts.touching)}, {"adhering", flatten(contacts.adhering)},
             {"normal", flatten(contacts.normal)},   {"spring", flatten(contacts.spring)},
             {"force", flatten(contacts.force)}};
@@ -54,6 +63,15 @@ WallContacts restore_wall_contacts(std::map<std::string, std::vector<Real>> cons
     for (auto const& [name, width] : widths)
         if (arrays.at(name).size() != width * contacts.count)
             throw InputError("checkpoint: wall contacts: the array '" + name + "' has a wrong length");
+    if (arrays.count("reference_pose") > 0) {
+        constexpr std::size_t numbers = 12;
+        std::vector<Real> const& poses = arrays.at("reference_pose");
+        for (std::size_t begin = 0; begin + numbers <= poses.size(); begin += numbers) {
+            WallPose& pose = contacts.reference_pose.emplace_back();
+            for (int axis = 0; axis < 3; ++axis) pose.position[axis] = poses[begin + axis];
+            std::copy_n(poses.begin() + static_cast<std::ptrdiff_t>(begin) + 3, 9, pose.rotation);
+        }
+    }
     contacts.id = unflatten<View1<GrainId>>(arrays.at("id"), "wall_contact_id");
     contacts.element = unflatten<View1<int>>(arrays.at("element"), "wall_contact_element");
     contacts.touching = unflatten<View1<std::uint8_t>>(arrays.at("touching"), "wall_contact_touching");

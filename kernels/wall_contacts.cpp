@@ -2,8 +2,13 @@
 #include "kernels/wall_contacts.hpp"
 
 #include "core/error.hpp"
+#include "core/to_device.hpp"
 
 #include <Kokkos_Sort.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
 
 namespace arenite {
 namespace {
@@ -222,6 +227,29 @@ void search_wall_contacts(Particles const& particles, Walls const& walls, Real s
         if (old.count > 0) carry_rows(old, walls, contacts);
     } else
         allocate_rows(contacts);
+    find_blocks(walls, contacts);
+}
+
+void complete_wall_contacts(Particles const& particles, Walls const& walls, WallContacts& contacts)
+{
+    auto const ids = Kokkos::create_mirror_view_and_copy(HostSpace(), particles.id);
+    std::unordered_map<GrainId, int> row_of;
+    for (int i = 0; i < particles.count; ++i) row_of[ids(i)] = i;
+    auto const id = Kokkos::create_mirror_view_and_copy(HostSpace(), contacts.id);
+    auto const element = Kokkos::create_mirror_view_and_copy(HostSpace(), contacts.element);
+    std::vector<int> grain, order(contacts.count), begin(particles.count + 1, 0);
+    for (int c = 0; c < contacts.count; ++c) {
+        auto const found = row_of.find(id(c));
+        if (found == row_of.end()) throw InputError("checkpoint: a wall contact of a grain that is not there");
+        grain.push_back(found->second);
+        ++begin[found->second + 1];
+        order[c] = c;
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return std::pair(grain[a], element(a)) < std::pair(grain[b], element(b)); });
+    contacts.grain = to_device(grain, "wall_contact_grain");
+    contacts.begin = to_device(begin, "wall_contact_begin");
+    contacts.contact = to_device(order, "wall_contact_of_grain");
     find_blocks(walls, contacts);
 }
 

@@ -44,13 +44,18 @@ struct WallContacts : WallContactRows {
 void search_wall_contacts(Particles const& particles, Walls const& walls, Real skin, ContactNeeds needs,
                           WallContacts& contacts);
 
+/// Gives a list that came out of a checkpoint what follows from the grains' rows. Throws InputError for a contact of a
+/// grain that is not there.
+void complete_wall_contacts(Particles const& particles, Walls const& walls, WallContacts& contacts);
+
 inline WallForceRows force_rows(WallContacts const& contacts)
 {
     return {contacts.begin, contacts.contact, contacts.force};
 }
 
 /// What the contacts remember, as flat named arrays (rows in the list's order; ids and flags exact as doubles), and back:
-/// restored contacts carry nothing but memory until the next search_wall_contacts, which places them.
+/// restored contacts carry nothing but memory and the poses that the list was built for until complete_wall_contacts or
+/// search_wall_contacts places them.
 std::map<std::string, std::vector<Real>> save_wall_contacts(WallContacts const& contacts);
 WallContacts restore_wall_contacts(std::map<std::string, std::vector<Real>> const& arrays);
 

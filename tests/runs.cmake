@@ -1,0 +1,21 @@
+# Whole runs of the program, which are stopped, killed, resumed and compared. They need checkpoints, and Python for the scripts.
+find_package(Python3 COMPONENTS Interpreter)
+if(NOT TARGET arenite_hdf5 OR NOT Python3_FOUND)
+  return()
+endif()
+
+# arenite_run_test(NAME LABEL SCRIPT ARGUMENT...)
+function(arenite_run_test name label script)
+  add_test(NAME ${name} COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/${script} ${ARGN})
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 600 SKIP_RETURN_CODE 77)
+endfunction()
+
+set(scenes ${CMAKE_CURRENT_SOURCE_DIR}/scenes)
+foreach(case threads restarts periodic output)
+  arenite_run_test(whole_run_${case} determinism determinism/whole_runs.py ${case} $<TARGET_FILE:arenite> ${scenes})
+endforeach()
+arenite_run_test(kill_and_resume stability stability/kill_and_resume.py $<TARGET_FILE:arenite> ${scenes}/small.toml 1)
+arenite_run_test(stop_by_signal stability stability/stop_by_signal.py $<TARGET_FILE:arenite> ${scenes}/small.toml)
+foreach(case checkpoints disk read_only)
+  arenite_run_test(bad_${case} stability stability/bad_files.py ${case} $<TARGET_FILE:arenite> ${scenes})
+endforeach()
