@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <type_traits>
 
 namespace arenite {
 namespace {
@@ -497,10 +498,20 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
 
 void complete_list(Particles const& particles, ContactList& contacts)
 {
-    std::size_t const rows = contacts.second.extent(0);
-    contacts.first = View1<int>("contact_first", rows);
-    contacts.scale = ContactColumns<3>(uninitialized("contact_scale"), rows);
-    Kokkos::deep_copy(contacts.scale, 1); // of the rows beyond the last contact
+    ContactList const saved = contacts;
+    allocate_contacts(contacts); // with as many rows beyond the last contact as the kernels of this program want
+    auto const rows = Kokkos::make_pair(0, contacts.count);
+    auto const take = [&](auto const& from, auto const& to) {
+        if (!to.is_allocated() || contacts.count == 0) return;
+        if constexpr (std::decay_t<decltype(to)>::rank == 1) Kokkos::deep_copy(Kokkos::subview(to, rows), Kokkos::subview(from, rows));
+        else Kokkos::deep_copy(Kokkos::subview(to, rows, Kokkos::ALL), Kokkos::subview(from, rows, Kokkos::ALL));
+    };
+    take(saved.second, contacts.second);
+    if (contacts.periodic) take(saved.image, contacts.image);
+    take(saved.touching, contacts.touching);
+    take(saved.adhering, contacts.adhering);
+    take(saved.spring, contacts.spring);
+    take(saved.force, contacts.force);
     ContactList const list = contacts;
     Kokkos::parallel_for(
         "complete_list", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
