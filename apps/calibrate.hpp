@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// How fast this machine runs this build, from a calibration of about a second.
+// How fast this machine runs a scene's stages, from a fraction of a second of each.
 #pragma once
 
 #include "apps/stage_plan.hpp"
 
 namespace arenite {
 
-struct Calibration {
-    double hertz = 1, jkr = 1;          // particle-steps/s
-    double fluid_cells_per_second = 1e5; // cells advanced by a fluid step, with coupling
-
-    double particle_steps_per_second(PlannedStage const& stage) const
-    {
-        return stage.settings.contact.normal == NormalLaw::hertz ? hertz : jkr;
-    }
+/// What a stage costs here: seconds of wall time, and memory.
+struct StageCost {
+    double step = 0;       // of a grain step, the balance sheet's share included where the scene asks for one
+    double search = 0;     // of a rebuild of the contact lists
+    double fluid_step = 0; // of a fluid step with its coupling; 0 without fluid
+    double memory = 0;     // bytes at most, beside the output's
 };
 
-Calibration calibrate();
+/// Runs the stage's own step for a moment, with the grains that the scene gives or with as many on a lattice as it will
+/// make, where each touches six others as in a sample under pressure. What the stage moves stays where it is. Throws
+/// InputError, SimulationError.
+StageCost measure_stage(Scene const& scene, PlannedStage const& planned);
 
 } // namespace arenite

@@ -2,6 +2,7 @@
 #include "apps/check.hpp"
 
 #include "apps/calibrate.hpp"
+#include "apps/expected_steps.hpp"
 #include "apps/given_grains.hpp"
 #include "apps/make_state.hpp"
 #include "core/error.hpp"
@@ -12,6 +13,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <tuple>
 
 namespace arenite {
 namespace {
@@ -71,37 +74,69 @@ void print_fluid(Scene const& scene)
                       cell / (k * mean_volume_diameter(d)), cell / largest, fluid.smoothing_length, fluid.smoothing_length / largest));
 }
 
-/// Bytes per grain of state and contact lists at five contacts and seven candidates a grain; see docs/performance.
-constexpr double bytes_per_grain = 32 * 5 + 8 + 1 + 2 + 1 + 32 + 3.6 * (8 + 32 + 1 + 1 + 32 + 64 + 8) + 2 * 4;
+/// What the stages cost here; those that run the same kernels are measured once.
+class Costs {
+public:
+    explicit Costs(Scene const& scene) : scene_(scene) {}
 
-double steps_of(PlannedStage const& stage)
+    StageCost const& of(PlannedStage const& stage)
+    {
+        auto const key = std::make_tuple(stage.settings.contact.normal, stage.settings.fluid, stage.settings.local_damping > 0);
+        auto const found = known_.find(key);
+        return found != known_.end() ? found->second : known_.emplace(key, measure_stage(scene_, stage)).first->second;
+    }
+
+    double memory() const
+    {
+        double most = 0;
+        for (auto const& entry : known_) most = std::max(most, entry.second.memory);
+        return most;
+    }
+
+private:
+    Scene const& scene_;
+    std::map<std::tuple<NormalLaw, bool, bool>, StageCost> known_;
+};
+
+std::string time_text(double seconds) { return seconds < 60 ? fmt::format("{:.1f} s", seconds) : duration_text(seconds); }
+
+std::string describe(PlannedStage const& stage, ExpectedSteps const& steps, double seconds, double grain_seconds, long long grains)
 {
-    return stage.settings.duration > 0 && stage.dt > 0 ? std::ceil(stage.settings.duration / stage.dt) : 0;
+    std::string line = fmt::format("  {}: dt {:.4g} s, ", stage.label, stage.dt);
+    if (steps.count > 0) line += fmt::format("{} {:.4g} steps", steps.is_bound ? "at most" : "about", steps.count);
+    else line += "until its conditions hold";
+    if (stage.coupling_interval > 0) line += fmt::format(", a fluid step every {} steps", stage.coupling_interval);
+    line += fmt::format(": {}", steps.count > 0 ? time_text(seconds) : "nobody knows how long");
+    if (grains > 0 && grain_seconds > 0)
+        line += fmt::format(" ({:.3g} particle-steps/s)", static_cast<double>(grains) * steps.count / grain_seconds);
+    return line;
 }
 
 void print_stages(Scene const& scene, StagePlan const& plan, long long grains)
 {
-    Calibration const speed = calibrate();
+    Costs costs(scene);
+    Real const smallest = smallest_diameter(scene);
     print("stages:");
     double total = 0, fields = 0;
+    bool is_bound = false;
     for (PlannedStage const& stage : plan) {
         if (stage.settings.kind == StageKind::generation) {
             print(fmt::format("  {}: grains are placed at random", stage.label));
             continue;
         }
-        double const steps = steps_of(stage), rate = speed.particle_steps_per_second(stage);
-        double const fluid_steps = stage.coupling_interval > 0 ? steps / stage.coupling_interval : 0;
-        double const seconds = steps * static_cast<double>(std::max(1ll, grains)) / rate +
-                               (scene.fluid ? fluid_steps * scene.fluid->cells[0] * scene.fluid->cells[1] * scene.fluid->cells[2] / speed.fluid_cells_per_second : 0);
+        StageCost const& cost = costs.of(stage);
+        ExpectedSteps const steps = expected_steps(stage);
+        double const fluid_steps = stage.coupling_interval > 0 ? steps.count / stage.coupling_interval : 0;
+        double const grain_seconds = steps.count * (cost.step + cost.search / expected_search_interval(stage, smallest));
+        double const seconds = grain_seconds + fluid_steps * cost.fluid_step;
         total += seconds;
+        is_bound = is_bound || steps.is_bound;
         Real const interval = stage.settings.field_interval.value_or(scene.output.field_interval);
-        fields += interval > 0 && stage.settings.duration > 0 ? stage.settings.duration / interval + 1 : 2;
-        print(fmt::format("  {}: dt {:.4g} s{}{}, about {} ({:.3g} particle-steps/s)", stage.label, stage.dt,
-                          steps > 0 ? fmt::format(", {} {:.4g} steps", stage.settings.end.any() ? "at most" : "", steps) : ", until its conditions hold",
-                          fluid_steps > 0 ? fmt::format(", a fluid step every {} steps", stage.coupling_interval) : "", duration_text(seconds), rate));
+        fields += interval > 0 ? steps.count * stage.dt / interval + 1 : 2;
+        print(describe(stage, steps, seconds, grain_seconds, grains));
     }
-    print(fmt::format("expected wall time: {} in all (at most, where a stage may end early)", duration_text(total)));
-    print(fmt::format("memory: about {:.1f} MB of grains and contacts", 1e-6 * bytes_per_grain * static_cast<double>(grains)));
+    print(fmt::format("expected wall time: {}{} without output, as fast as the machine is now", is_bound ? "at most " : "", time_text(total)));
+    print(fmt::format("memory: {:.1f} MB", 1e-6 * costs.memory()));
     print(fmt::format("output: about {:.1f} MB of fields", 1e-6 * fields * static_cast<double>(grains) * 90));
 }
 

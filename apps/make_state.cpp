@@ -20,12 +20,6 @@ std::vector<Real> densities_of(Scene const& scene)
     return densities;
 }
 
-void set_particles(Scene const& scene, std::vector<Grain> grains, RunState& state)
-{
-    state.groups = choose_groups(scene, grains);
-    state.particles = make_particles(grains, densities_of(scene));
-}
-
 Walls walls_of(Scene const& scene)
 {
     WallContext context;
@@ -59,6 +53,12 @@ std::uint64_t hash_of_inputs(Scene const& scene)
     for (WallSettings const& wall : scene.walls)
         if (wall.shape == WallShape::mesh) content += read_file(path_of(scene, wall.file));
     return hash_of(content);
+}
+
+void set_particles(Scene const& scene, std::vector<Grain> grains, RunState& state)
+{
+    state.groups = choose_groups(scene, grains);
+    state.particles = make_particles(grains, densities_of(scene));
 }
 
 RunState make_run_state(Scene const& scene)

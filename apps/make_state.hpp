@@ -16,6 +16,9 @@ std::uint64_t hash_of_inputs(Scene const& scene);
 /// stage. Throws InputError.
 RunState make_run_state(Scene const& scene);
 
+/// Makes the grains the state's, with the groups that the scene sorts them into.
+void set_particles(Scene const& scene, std::vector<Grain> grains, RunState& state);
+
 /// Puts grains of the scene's size distribution at random places. Throws InputError.
 void generate_particles(Scene const& scene, RunState& state);
 

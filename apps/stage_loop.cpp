@@ -13,21 +13,6 @@
 namespace arenite {
 namespace {
 
-/// Velocities stand at the time of the positions only where somebody looks; in between kick and drift are one kernel.
-/// A stage ends and grains leave at steps that neither output nor a stop chooses: the bits do not depend on them.
-struct Cadence {
-    static constexpr int check = 100; // steps
-    int fluid = 0;                    // steps; 0: none
-    std::int64_t last = 0, until = 0; // steps of the stage, where it or the run ends; 0: none
-    OutputCadence output;
-
-    bool checks_at(std::int64_t step) const { return step % check == 0 || step == last; }
-    bool stops_at(std::int64_t step) const
-    {
-        return (fluid > 0 && step % fluid == 0) || checks_at(step) || step == until || output.due(step);
-    }
-};
-
 Cadence make_cadence(PlannedStage const& planned, StageWatch const& watch, Until const& until, Clock clock, RunOutput const& output)
 {
     Cadence cadence{planned.coupling_interval, watch.last_step(), 0, output.cadence(planned)};
@@ -38,6 +23,8 @@ Cadence make_cadence(PlannedStage const& planned, StageWatch const& watch, Until
     cadence.until = clock.stage_step;
     return cadence;
 }
+
+} // namespace
 
 void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
 {
@@ -50,6 +37,8 @@ void advance_fluid(FluidState& fluid, Particles& particles, Real fluid_dt)
     fluid.report = advance_flow(fluid.flow, fluid.boundary, fluid.solver, fluid_dt);
     if (coupled) evaluate_fluid_force(fluid.flow, fluid.solver, fluid.exchange, particles);
 }
+
+namespace {
 
 /// What makes the coupling inaccurate, said once a stage.
 void warn_of_coupling(FluidState const& fluid, Particles const& particles, RunOutput& output)
@@ -83,7 +72,7 @@ void advance_grains(StageSetup& setup, Cadence const& cadence, RunState& state)
     }
 }
 
-/// The same, and a balance is kept: kick and drift are apart, since forces and velocities of every step are looked at.
+/// A balance is kept: kick and drift are apart, since forces and velocities of every step are looked at.
 void advance_grains_in_balance(StageSetup& setup, Cadence const& cadence, RunState& state)
 {
     StepSettings const& step = setup.step;
@@ -101,6 +90,12 @@ void advance_grains_in_balance(StageSetup& setup, Cadence const& cadence, RunSta
 }
 
 } // namespace
+
+void advance(StageSetup& setup, Cadence const& cadence, RunState& state)
+{
+    if (state.energy) advance_grains_in_balance(setup, cadence, state);
+    else advance_grains(setup, cadence, state);
+}
 
 std::string run_stage(Scene const& scene, PlannedStage const& planned, Until const& until, RunState& state,
                       RunOutput& output)
@@ -141,8 +136,7 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
             advance_fluid(*state.fluid, state.particles, cadence.fluid * planned.dt);
             if (first) warn_of_coupling(*state.fluid, state.particles, output);
         }
-        if (state.energy) advance_grains_in_balance(setup, cadence, state);
-        else advance_grains(setup, cadence, state);
+        advance(setup, cadence, state);
         watch.check_health(setup, state);
     }
 }

@@ -30,19 +30,26 @@ Real solid_volume(Scene const& scene)
     return volume;
 }
 
+constexpr Real looser = 0.03; // by which the porosity is above its target where the densifying ends
+
+/// m along the servo's axis that the scene's grains take at a porosity.
+Real sample_height(Scene const& scene, WallAction const& press, Real porosity)
+{
+    Vec3 const size = scene.domain.upper - scene.domain.lower;
+    Real const area = size.x * size.y * size.z / std::fabs(dot(size, normalized(press.servo->axis)));
+    return solid_volume(scene) / (area * (1 - porosity));
+}
+
 /// Bring the servo's wall quickly to where the sample is a little looser than it will be; the grains ride on the
 /// homogeneous strain, so that no front of dense grains runs ahead of the wall. No adhesion: loose grains
 /// that stick make arches which 1 MPa does not break, and those would depend on the speed.
 StageSettings densify_part(Scene const& scene, StageSettings const& stage, WallAction const& press)
 {
-    constexpr Real looser = 0.03, dry_porosity = 0.41;
+    constexpr Real dry_porosity = 0.41;
     Real const porosity = (stage.target_porosity > 0 ? stage.target_porosity : dry_porosity) + looser;
     auto const wall = std::find_if(scene.walls.begin(), scene.walls.end(), [&](auto const& w) { return w.name == press.wall; });
-    Vec3 const size = scene.domain.upper - scene.domain.lower;
     Vec3 const axis = normalized(press.servo->axis);
-    Real const span = std::fabs(dot(size, axis));
-    Real const area = size.x * size.y * size.z / span;
-    Real const height = solid_volume(scene) / (area * (1 - porosity));
+    Real const height = sample_height(scene, press, porosity);
     Vec3 const start = wall->shape == WallShape::plane ? wall->point : wall->base;
     Vec3 const far_end = dot(axis, Vec3{1, 1, 1}) < 0 ? scene.domain.lower : scene.domain.upper;
     Real const travel = std::fabs(dot(start - far_end, axis)) - height;
@@ -97,8 +104,9 @@ StageSettings relax_part(StageSettings const& stage)
 void expand(Scene const& scene, int row, StagePlan& plan)
 {
     StageSettings const& stage = scene.stages[row];
-    auto const add = [&](StageSettings const& settings, std::string const& label) {
+    auto const add = [&](StageSettings const& settings, std::string const& label, CompressionPart part = CompressionPart::none) {
         PlannedStage planned;
+        planned.part = part;
         planned.settings = settings;
         planned.label = label;
         planned.scene_stage = row;
@@ -107,9 +115,11 @@ void expand(Scene const& scene, int row, StagePlan& plan)
     if (stage.kind != StageKind::compression) return add(stage, stage.name);
     WallAction const* press = servo_action(stage);
     ARENITE_REQUIRE(press, "the reader lets no compression without a servo pass");
-    add(densify_part(scene, stage, *press), stage.name + "/densify");
-    add(press_part(stage, *press), stage.name + "/press");
-    add(relax_part(stage), stage.name + "/relax");
+    add(densify_part(scene, stage, *press), stage.name + "/densify", CompressionPart::densify);
+    add(press_part(stage, *press), stage.name + "/press", CompressionPart::press);
+    Real const target = stage.target_porosity;
+    if (target > 0) plan.back().gap = sample_height(scene, *press, target + looser) - sample_height(scene, *press, target);
+    add(relax_part(stage), stage.name + "/relax", CompressionPart::relax);
 }
 
 Real settled_time_step(PlannedStage const& planned)

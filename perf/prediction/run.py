@@ -30,8 +30,10 @@ def seconds_of(text: str) -> float:
 
 def predict(program: Path, scene: str, overrides: list[str], environment: dict) -> dict[str, tuple[float, float]]:
     """Steps and seconds of each stage, by its label."""
-    run = subprocess.run([program, "check", measure.ROOT / scene, *overrides], env=environment, capture_output=True, text=True, check=True)
-    stages = re.findall(r"^  (\S+): dt \S+ s, (?:about|at most) (\S+) steps.*?: ([0-9.]+ (?:d|h|min|s)\b[0-9 a-z]*)", run.stdout, re.M)
+    run = subprocess.run([program, "check", measure.ROOT / scene, *overrides], env=environment, capture_output=True, text=True,
+                         check=True)
+    line = r"^  (\S+): dt \S+ s, (?:about|at most) (\S+) steps.*?: ([0-9.]+ (?:d|h|min|s)\b[0-9 a-z]*)"
+    stages = re.findall(line, run.stdout, re.MULTILINE)
     return {label: (float(steps), seconds_of(time)) for label, steps, time in stages}
 
 
@@ -49,13 +51,15 @@ def main() -> int:
         expected = predict(arguments.arenite, scene, overrides, environment)
         output = measure.ROOT / f"build/prediction/{name}"
         output.parent.mkdir(parents=True, exist_ok=True)
-        subprocess.run([arguments.arenite, "run", measure.ROOT / scene, "-o", output, "--quiet", *overrides], env=environment, check=True)
+        run = [arguments.arenite, "run", measure.ROOT / scene, "-o", output, "--quiet", *overrides]
+        subprocess.run(run, env=environment, check=True)
         done = {stage["name"]: stage for stage in json.loads((output / "summary.json").read_text())["stages"]}
         stages = [label for label in expected if label in done]
         for label in stages:
             steps, seconds = expected[label]
             stage = done[label]
-            rows.append([name, label, arguments.threads, int(steps), stage["steps"], seconds, stage["wall_time"], seconds / stage["wall_time"]])
+            rows.append([name, label, arguments.threads, int(steps), stage["steps"], seconds, stage["wall_time"],
+                         seconds / stage["wall_time"]])
         whole = sum(expected[label][1] for label in stages), sum(done[label]["wall_time"] for label in stages)
         rows.append([name, "all", arguments.threads, "", "", *whole, whole[0] / whole[1]])
         print(f"{name}: {whole[0]:.1f} s expected, {whole[1]:.1f} s taken", flush=True)
@@ -64,7 +68,8 @@ def main() -> int:
     head = measure.header(measure.program_info(arguments.arenite),
                           *(f"{name}: {SCENES[name][0]} {' '.join(SCENES[name][1])}" for name in arguments.scenes))
     measure.write_table(measure.results_folder() / "prediction.csv", head,
-                        ["scene", "stage", "threads", "expected_steps", "steps", "expected_s", "measured_s", "expected_over_measured"], rows)
+                        ["scene", "stage", "threads", "expected_steps", "steps", "expected_s", "measured_s",
+                         "expected_over_measured"], rows)
     return 1 if wrong else 0
 
 

@@ -50,7 +50,8 @@ def main() -> int:
                 speeds = [result["particle_steps_per_s"] for result in results]
                 medians = [float(statistics.median(result[name] for result in results)) for name in MEDIANS]
                 hashes |= {result["state_hash"] for result in results}
-                rows.append([grains, law, threads, len(results), steps, *medians, min(speeds), max(speeds), results[0]["state_hash"]])
+                rows.append([grains, law, threads, len(results), steps, *medians, min(speeds), max(speeds),
+                             results[0]["state_hash"]])
                 print(f"{grains:8} grains, {law:5}, {threads} threads: {medians[0] / 1e6:6.2f} M particle-steps/s, "
                       f"{100 * medians[MEDIANS.index('share_of_copy')]:.0f} % of a copy", flush=True)
             memory += [[grains, law, view, size] for view, size in results[0]["memory"].items()]

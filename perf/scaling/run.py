@@ -31,14 +31,15 @@ def measure_threads(program: Path, counts: list[int], rounds: int, particle_step
                 for kind, grains, tile in (("strong", STRONG, 1), ("weak", WEAK, threads)):
                     pack = ["--pack", packs.get(grains, program).file, "--tile", tile, 1]
                     steps = round(particle_steps / (grains * tile))
-                    result = measure.bench(program, threads, *pack, "--law", law, "--steps", steps, "--warm-up", steps // 5, "--repeats", 1)
-                    results.setdefault((kind, law, threads, grains * tile), []).append(result[0]["particle_steps_per_s"])
+                    length = ["--steps", steps, "--warm-up", steps // 5, "--repeats", 1]
+                    speed = measure.bench(program, threads, *pack, "--law", law, *length)[0]["particle_steps_per_s"]
+                    results.setdefault((kind, law, threads, grains * tile), []).append(speed)
     rows = []
     for (kind, law, threads, grains), speeds in results.items():
         alone = next(values for key, values in results.items() if key[:3] == (kind, law, counts[0]))
         gains = [speed / one for speed, one in zip(speeds, alone)]
-        rows.append([kind, law, threads, grains, len(speeds), statistics.median(speeds) / 1e6, min(speeds) / 1e6, max(speeds) / 1e6,
-                     statistics.median(gains)])
+        rows.append([kind, law, threads, grains, len(speeds), statistics.median(speeds) / 1e6, min(speeds) / 1e6,
+                     max(speeds) / 1e6, statistics.median(gains)])
     return rows
 
 
@@ -50,8 +51,8 @@ def measure_cases(program: Path, counts: list[int], rounds: int) -> list[list]:
         for threads in counts:
             for _ in range(rounds if k > 1 else 1):
                 wall_time = WALL_TIME_OF * cases.seconds_per_second(program, scene, threads, fluid_steps)
-                name = "original" if k == 1 else "SSW"
-                rows.append([name, k, threads, wall_time, cases.grains_of(k), cases.grains_of(k) * WALL_TIME_OF / (1e-8 * k) / wall_time])
+                name, grains = "original" if k == 1 else "SSW", cases.grains_of(k)
+                rows.append([name, k, threads, wall_time, grains, grains * WALL_TIME_OF / (1e-8 * k) / wall_time])
                 print(f"{name}, k = {k}, {threads} threads: {wall_time:.0f} s for {WALL_TIME_OF:g} s of production", flush=True)
     return rows
 

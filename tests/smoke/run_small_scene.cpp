@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // All four stages of a small sample, through the driver: the ledger against the mass that is missing, bonds, stress and
 // porosity at the ends of stages, and a resumed run against one that went on, bit for bit.
+#include "apps/expected_steps.hpp"
 #include "apps/run.hpp"
 #include "io/checkpoint_folder.hpp"
+#include "io/scene_reader.hpp"
 #include "io/time_series.hpp"
 
 #include <gtest/gtest.h>
@@ -142,6 +144,20 @@ TEST(SmallScene, LedgerHoldsTheMassThatIsMissing)
     auto const checkpoints = list_checkpoints(whole_run());
     double const missing = total_mass(checkpoints[1]) - total_mass(checkpoints.back());
     EXPECT_NEAR(ledger, missing, 1e-12 * total_mass(checkpoints[1])); // a sum of some hundred masses
+}
+
+TEST(SmallScene, StagesTakeTheStepsThatCheckExpects)
+{
+    for (PlannedStage const& planned : make_stage_plan(read_scene(scene))) {
+        if (planned.settings.kind == StageKind::generation) continue;
+        SCOPED_TRACE(planned.label);
+        ExpectedSteps const expected = expected_steps(planned);
+        EXPECT_FALSE(expected.is_bound);
+        double const steps = stage_of(planned.label)["steps"].get<double>();
+        // A stage whose length is given ends within the hundred steps between two looks; the others by experience.
+        if (planned.part == CompressionPart::press) EXPECT_NEAR(steps, expected.count, 0.3 * expected.count);
+        else if (planned.part != CompressionPart::relax) EXPECT_NEAR(steps, expected.count, 100);
+    }
 }
 
 TEST(SmallScene, WritesEverySeries)
