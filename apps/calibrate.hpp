@@ -14,9 +14,8 @@ struct StageCost {
     double memory = 0;     // bytes at most, beside the output's
 };
 
-/// Runs the stage's own step for a moment, with the grains that the scene gives or with as many on a lattice as it will
-/// make, where each touches six others as in a sample under pressure. What the stage moves stays where it is. Throws
-/// InputError, SimulationError.
+/// Runs the stage's own step for a moment, with the grains that the scene gives or with as many as it will make, packed as
+/// densely as in a sample under pressure. Nothing moves meanwhile. Throws InputError, SimulationError.
 StageCost measure_stage(Scene const& scene, PlannedStage const& planned);
 
 } // namespace arenite
