@@ -4,7 +4,6 @@
 #include "apps/make_state.hpp"
 #include "apps/stage_loop.hpp"
 #include "apps/verify/packs.hpp"
-#include "io/checkpoint_folder.hpp"
 #include "io/scene_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -77,9 +76,9 @@ RunState run_small_scene(int look_interval, std::int64_t& searches)
     RunState state = make_run_state(scene);
     state.integrator.look_interval = look_interval;
     fs::path const folder = fs::temp_directory_path() / "arenite_launch_ahead";
-    make_folder(folder);
     {
         RunOutput output(folder, scene, plan, {}, 0, true);
+        output.open();
         for (PlannedStage const& planned : plan) {
             if (planned.label == "production") break;
             run_stage(scene, planned, {}, state, output);
