@@ -39,7 +39,6 @@ struct Listener {
     Step step;
     int copies = 0; // open ones: the fences in them are theirs
     std::map<std::string, StageCount> stages;
-    bool in_step() const { return std::find(phases.begin(), phases.end(), "grain step") != phases.end(); }
 };
 Listener listener; // Kokkos' callbacks are plain functions
 
