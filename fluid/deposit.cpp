@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr int grains_per_bin = 8;              // short enough for an insertion sort
-constexpr long long partial_limit = 8'000'000; // reals (64 MB) of partial sums held at once
+constexpr long long partial_limit = 2'000'000; // reals (16 MB) of partial sums held at once
 
 /// Integral of 15/16 (1 - s^2)^2 from -1 to s, 0 and 1 beyond the support.
 KOKKOS_FUNCTION Real kernel_integral(Real s)
@@ -103,6 +103,7 @@ void write_weights(GrainWeights const& weights, RecordView const& position, View
             int const row = weights.bins.item(entry);
             int const column[3] = {0, stencil.y_slot(), stencil.z_slot()};
             for (int slot = stencil.slots[0]; slot < stencil.y_slot(); ++slot) weights.weight(entry, slot) = 0;
+            for (int slot = stencil.y_slot() + stencil.slots[1]; slot < stencil.z_slot(); ++slot) weights.weight(entry, slot) = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 Real const scaled = cell_coordinate(stencil.grid, axis, position(row, axis));
                 write_axis_weights(stencil, axis, scaled, &weights.weight(entry, column[axis]));
@@ -111,68 +112,96 @@ void write_weights(GrainWeights const& weights, RecordView const& position, View
         });
 }
 
-/// What the grains of one block give to one group of cells of one row: an independent piece of the deposit.
-struct Piece {
-    int start = 0; // along x
-    int group = 0;
-    int b = 0, c = 0;     // slots of y and z
-    int sy = -1, sz = -1; // start cells of y and z, -1: nothing comes from there
+/// What the grains of one block give to some of its rows of cells: `group` cells each of rows_at_once rows, an independent
+/// part of the deposit. A piece is what one row gets of it.
+struct Part {
+    int group = 0;               // of x
+    int first_b = 0, c = 0;      // slots of y and z
+    int sx = 0, sy = 0, sz = -1; // start cells; sz = -1: nothing comes from there
+    int plane = 0;               // of cells that it gives to, from the first one on
 };
 
-/// Pieces are numbered group, start, b, c, target row; rows of the planes from first_plane on.
-KOKKOS_FUNCTION Piece piece_of(DepositStencil const& stencil, int number, int first_plane)
+/// Parts are numbered group, sx, sy, group of y, c, plane.
+KOKKOS_FUNCTION Part part_of(DepositStencil const& stencil, int number, int first_plane)
 {
-    Piece piece;
-    piece.group = number % stencil.groups;
+    Part part;
+    part.group = number % stencil.groups;
     number /= stencil.groups;
-    piece.start = number % stencil.starts[0];
+    part.sx = number % stencil.starts[0];
     number /= stencil.starts[0];
-    piece.b = number % stencil.slots[1];
-    number /= stencil.slots[1];
-    piece.c = number % stencil.slots[2];
-    int const row = number / stencil.slots[2];
-    piece.sy = stencil.start(1, row % stencil.grid.cells[1], piece.b);
-    piece.sz = stencil.start(2, first_plane + row / stencil.grid.cells[1], piece.c);
-    return piece;
+    part.sy = number % stencil.starts[1];
+    number /= stencil.starts[1];
+    part.first_b = DepositStencil::rows_at_once * (number % stencil.row_groups);
+    number /= stencil.row_groups;
+    part.c = number % stencil.slots[2];
+    part.plane = number / stencil.slots[2];
+    part.sz = stencil.start(2, first_plane + part.plane, part.c);
+    return part;
 }
 
-template <int components>
-KOKKOS_FUNCTION void sum_piece(GrainWeights const& weights, Piece const& piece, TableView const& quantity, Real* result)
+/// Pieces are numbered group, start of x, b, c, target row.
+KOKKOS_FUNCTION std::size_t piece_number(DepositStencil const& stencil, int row, int b, int c, int sx, int group)
 {
-    constexpr int group = DepositStencil::group;
-    DepositStencil const& stencil = weights.stencil;
-    Real sum[group * components] = {};
-    if (piece.sy >= 0 && piece.sz >= 0) {
-        int const block = piece.start + stencil.starts[0] * (piece.sy + stencil.starts[1] * piece.sz);
-        int const last = weights.begin(block + 1);
-        for (int entry = weights.begin(block); entry < last; ++entry) {
-            Real const* const w = &weights.weight(entry, 0);
-            Real const wyz = w[stencil.y_slot() + piece.b] * w[stencil.z_slot() + piece.c];
-            for (int a = 0; a < group; ++a)
-                for (int q = 0; q < components; ++q)
-                    sum[a * components + q] += wyz * w[group * piece.group + a] * quantity(entry, q);
-        }
+    std::size_t const offset = (static_cast<std::size_t>(row) * stencil.slots[2] + c) * stencil.slots[1] + b;
+    return (offset * stencil.starts[0] + sx) * stencil.groups + group;
+}
+
+/// Sums of one row's cells: of 4 components, a Quad a cell; of one, a Quad for the group's cells.
+template <int components> struct RowSum {
+    static_assert(DepositStencil::group == 4 && (components == 1 || components == 4));
+    Quad sum[components] = {};
+
+    KOKKOS_FORCEINLINE_FUNCTION void add(Real wyz, Real const* wx, Real const* quantity)
+    {
+        if constexpr (components == 1) sum[0] += *quantity * (wyz * load_quad(wx));
+        else
+            for (int a = 0; a < components; ++a) sum[a] += (wyz * wx[a]) * load_quad(quantity);
     }
-    for (int n = 0; n < group * components; ++n) result[n] = sum[n];
+};
+
+template <int components>
+KOKKOS_FUNCTION void sum_part(GrainWeights const& weights, Part const& part, TableView const& quantity, Real* partial)
+{
+    constexpr int rows = DepositStencil::rows_at_once, numbers = DepositStencil::group * components;
+    DepositStencil const& stencil = weights.stencil;
+    if (part.sz < 0) return;
+    RowSum<components> sum[rows];
+    int const block = part.sx + stencil.starts[0] * (part.sy + stencil.starts[1] * part.sz);
+    int const first = weights.begin(block), last = weights.begin(block + 1);
+    std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
+    Real const* w = weights.weight.data() + first * stride;
+    Real const* values = &quantity(first, 0);
+    int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
+    for (int entry = first; entry < last; ++entry, w += stride, values += components)
+        for (int r = 0; r < rows; ++r) sum[r].add(w[y + r] * w[z], w + x, values);
+    for (int r = 0; r < rows && part.first_b + r < stencil.slots[1]; ++r) {
+        int const b = part.first_b + r, row = stencil.cell(1, part.sy, b) + stencil.grid.cells[1] * part.plane;
+        Real* const to = partial + numbers * piece_number(stencil, row, b, part.c, part.sx, part.group);
+        for (int n = 0; n < numbers; ++n) to[n] = sum[r].sum[n / 4][n % 4];
+    }
 }
 
 /// A cell's sum of its pieces, in the order of (c, b, slot of x).
 template <int components>
-KOKKOS_FUNCTION void add_pieces(DepositStencil const& stencil, View1<Real> const& partial, int row, int i, Real* total)
+KOKKOS_FUNCTION void add_pieces(DepositStencil const& stencil, View1<Real> const& partial, int first_plane, int row, int i,
+                                Real* total)
 {
     constexpr int group = DepositStencil::group;
+    int const j = row % stencil.grid.cells[1], k = first_plane + row / stencil.grid.cells[1];
     for (int q = 0; q < components; ++q) total[q] = 0;
-    int const offsets = stencil.slots[1] * stencil.slots[2];
-    for (int offset = 0; offset < offsets; ++offset)
-        for (int slot = 0; slot < stencil.slots[0]; ++slot) {
-            int const start = stencil.start(0, i, slot);
-            if (start < 0) continue;
-            std::size_t const piece =
-                ((static_cast<std::size_t>(row) * offsets + offset) * stencil.starts[0] + start) * stencil.groups +
-                slot / group;
-            Real const* const values = &partial(piece * group * components) + slot % group * components;
-            for (int q = 0; q < components; ++q) total[q] += values[q];
+    for (int c = 0; c < stencil.slots[2]; ++c) {
+        if (stencil.start(2, k, c) < 0) continue;
+        for (int b = 0; b < stencil.slots[1]; ++b) {
+            if (stencil.start(1, j, b) < 0) continue;
+            for (int slot = 0; slot < stencil.slots[0]; ++slot) {
+                int const sx = stencil.start(0, i, slot);
+                if (sx < 0) continue;
+                std::size_t const piece = piece_number(stencil, row, b, c, sx, slot / group);
+                Real const* const values = &partial(piece * group * components) + slot % group * components;
+                for (int q = 0; q < components; ++q) total[q] += values[q];
+            }
         }
+    }
 }
 
 /// Two passes over some planes of cells: the pieces, then the cells.
@@ -182,16 +211,15 @@ template <int components> void deposit_planes(GrainWeights const& weights, Table
 {
     DepositStencil const stencil = weights.stencil;
     int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
-    int const pieces = ny * planes * stencil.slots[1] * stencil.slots[2] * stencil.starts[0] * stencil.groups;
+    int const parts = planes * stencil.slots[2] * stencil.row_groups * stencil.starts[1] * stencil.starts[0] * stencil.groups;
     Kokkos::parallel_for(
-        "deposit_pieces", RangePolicy(0, pieces), KOKKOS_LAMBDA(int number) {
-            sum_piece<components>(weights, piece_of(stencil, number, first_plane), quantity,
-                                  &partial(static_cast<std::size_t>(number) * DepositStencil::group * components));
+        "deposit_parts", RangePolicy(0, parts), KOKKOS_LAMBDA(int number) {
+            sum_part<components>(weights, part_of(stencil, number, first_plane), quantity, partial.data());
         });
     Kokkos::parallel_for(
         "add_deposit_pieces", RangePolicy(0, ny * planes * nx), KOKKOS_LAMBDA(int target) {
             Real total[components];
-            add_pieces<components>(stencil, partial, target / nx, target % nx, total);
+            add_pieces<components>(stencil, partial, first_plane, target / nx, target % nx, total);
             int const number = nx * ny * first_plane + target;
             for (int q = 0; q < components; ++q) cell(number, q) = total[q];
         });
@@ -229,22 +257,27 @@ DepositStencil make_deposit_stencil(Grid const& grid, Real support_radius)
         stencil.starts[axis] = whole ? 1 : (grid.periodic[axis] ? cells : cells - stencil.slots[axis] + 1);
     }
     stencil.groups = (stencil.slots[0] + DepositStencil::group - 1) / DepositStencil::group;
+    stencil.row_groups = (stencil.slots[1] + DepositStencil::rows_at_once - 1) / DepositStencil::rows_at_once;
     return stencil;
 }
 
 GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const& position, View1<GrainId> const& id,
-                                int count)
+                                int count, GrainWeights const& spare)
 {
     GrainWeights weights;
     weights.stencil = stencil;
+    weights.block = spare.block;
+    weights.weight = spare.weight;
     double const bins_per_block = static_cast<double>(count) / grains_per_bin / stencil.block_count();
     int const bins_per_axis = std::max(1, static_cast<int>(std::cbrt(bins_per_block)));
     weights.bins_per_block = bins_per_axis * bins_per_axis * bins_per_axis;
     View1<int> const bin = bin_numbers(stencil, position, count, bins_per_axis);
     weights.bins = make_cell_list(bin, id, count, stencil.block_count() * weights.bins_per_block);
     weights.entries = weights.bins.entries;
-    weights.block = View1<int>(uninitialized("block_of_entry"), weights.entries);
-    weights.weight = TableView(uninitialized("grain_weights"), weights.entries, stencil.columns());
+    auto const rows = static_cast<std::size_t>(weights.entries), columns = static_cast<std::size_t>(stencil.columns());
+    if (weights.block.extent(0) < rows) weights.block = View1<int>(uninitialized("block_of_entry"), rows);
+    if (weights.weight.extent(0) < rows || weights.weight.extent(1) != columns)
+        weights.weight = TableView(uninitialized("grain_weights"), rows, columns);
     write_weights(weights, position, bin);
     return weights;
 }

@@ -25,7 +25,8 @@ using TableView = Kokkos::View<Real**, Kokkos::LayoutRight, MemorySpace>;
 /// the same start cell share a block of cells. Near a wall, and in a box of fewer cells than slots, the
 /// block is moved or cut so that it lies in the box.
 struct DepositStencil {
-    static constexpr int group = 4; // slots of x that are summed at once; their storage is padded to it
+    static constexpr int group = 4;                           // slots of x in a Quad; their storage is padded to it
+    static constexpr int rows_at_once = lane_count > 1 ? 4 : 1; // slots of y that are summed at once: a GPU wants many small sums
 
     Grid grid;
     Real support_radius = 0;    // m
@@ -33,9 +34,10 @@ struct DepositStencil {
     int slots[3] = {1, 1, 1};   // cells of a block: touched, or the box's if these are fewer
     int starts[3] = {1, 1, 1};  // start cells 0 .. starts - 1
     int groups = 1;             // of x
+    int row_groups = 1;         // of y, rows_at_once each
 
     KOKKOS_FUNCTION int y_slot() const { return group * groups; } // columns of GrainWeights::weight
-    KOKKOS_FUNCTION int z_slot() const { return y_slot() + slots[1]; }
+    KOKKOS_FUNCTION int z_slot() const { return y_slot() + rows_at_once * row_groups; }
     KOKKOS_FUNCTION int columns() const { return z_slot() + slots[2]; }
     KOKKOS_FUNCTION int block_count() const { return starts[0] * starts[1] * starts[2]; }
     /// Cell start + slot of an axis; the block of a periodic box may reach over its end.
@@ -64,31 +66,29 @@ struct GrainWeights {
     int bins_per_block = 1;
     CellList bins;    // bins.item: [entry] row of the grain
     View1<int> block; // [entry] start cell, as sx + starts_x (sy + starts_y sz)
-    TableView weight; // [entry][slots of x, padded with 0; of y; of z]
+    TableView weight; // [entry][slots of x, padded with 0; of y, likewise; of z]
 
     KOKKOS_FUNCTION int begin(int of_block) const { return bins.begin(of_block * bins_per_block); }
 };
 
-/// position: [row](x, y, z, -), m. Grains whose centre is outside a non-periodic box are left out.
+/// position: [row](x, y, z, -), m. Grains whose centre is outside a non-periodic box are left out. The arrays of `spare` are
+/// used again where they are large enough: weights that are not needed any more.
 GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const& position, View1<GrainId> const& id,
-                                int count);
+                                int count, GrainWeights const& spare = {});
 
 /// cell(c, q) = sum over entries of weight * quantity(entry, q), q < components (1 or 4), in fixed order.
 /// quantity: [entry][components]; cell: [cell number][components].
 void deposit(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int components);
 
-/// Columns of a table of cells that interpolate_at reads: a cell's components go through whole vectors of the processor.
-KOKKOS_FUNCTION constexpr int interpolated_columns(int components)
-{
-    return (components + lane_count - 1) / lane_count * lane_count;
-}
+/// Columns of a table of cells that interpolate_at reads: a cell's components go through whole Quads.
+KOKKOS_FUNCTION constexpr int interpolated_columns(int components) { return (components + 3) / 4 * 4; }
 
 /// One entry's mean of the cells' values, the adjoint of deposit: sum over cells of weight * cell(c, q).
-/// cell: [cell number][interpolated_columns(components)].
+/// cell: [cell number][interpolated_columns(components) or more].
 template <int components> KOKKOS_FUNCTION void interpolate_at(GrainWeights const& weights, int entry,
                                                               TableView const& cell, Real (&value)[components])
 {
-    constexpr int columns = interpolated_columns(components), packs = columns / lane_count;
+    constexpr int quads = interpolated_columns(components) / 4;
     DepositStencil const& stencil = weights.stencil;
     int const block = weights.block(entry);
     int const i0 = block % stencil.starts[0];
@@ -97,25 +97,26 @@ template <int components> KOKKOS_FUNCTION void interpolate_at(GrainWeights const
     Real const* const wx = &weights.weight(entry, 0);
     Real const* const wy = &weights.weight(entry, stencil.y_slot());
     Real const* const wz = &weights.weight(entry, stencil.z_slot());
-    Lanes sum[packs];
-    for (int p = 0; p < packs; ++p) sum[p] = Lanes(0);
+    std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(cell.stride(0));
+    int const slots_x = stencil.slots[0], cells_x = stencil.grid.cells[0];
+    int const before_end = i0 + slots_x <= cells_x ? slots_x : cells_x - i0; // the rest is at the periodic box's other end
+    Quad sum[quads] = {};
     for (int c = 0; c < stencil.slots[2]; ++c) {
         int const k = stencil.cell(2, k0, c);
         for (int b = 0; b < stencil.slots[1]; ++b) {
-            int const row = stencil.grid.cells[0] * (stencil.cell(1, j0, b) + stencil.grid.cells[1] * k);
-            Lanes along_x[packs];
-            for (int p = 0; p < packs; ++p) along_x[p] = Lanes(0);
-            for (int a = 0; a < stencil.slots[0]; ++a) {
-                Real const* const values = &cell(row + stencil.cell(0, i0, a), 0);
-                for (int p = 0; p < packs; ++p) along_x[p] += wx[a] * load_lanes(values + p * lane_count);
-            }
+            int const row = cells_x * (stencil.cell(1, j0, b) + stencil.grid.cells[1] * k);
+            Quad along_x[quads] = {};
+            auto const add = [&](int begin, int end, Real const* values) {
+                for (int a = begin; a < end; ++a, values += stride)
+                    for (int q = 0; q < quads; ++q) along_x[q] += wx[a] * load_quad(values + 4 * q);
+            };
+            add(0, before_end, cell.data() + (row + i0) * stride);
+            add(before_end, slots_x, cell.data() + row * stride);
             Real const wyz = wy[b] * wz[c];
-            for (int p = 0; p < packs; ++p) sum[p] += wyz * along_x[p];
+            for (int q = 0; q < quads; ++q) sum[q] += wyz * along_x[q];
         }
     }
-    Real all[columns];
-    for (int p = 0; p < packs; ++p) store_lanes(sum[p], all + p * lane_count);
-    for (int q = 0; q < components; ++q) value[q] = all[q];
+    for (int q = 0; q < components; ++q) value[q] = sum[q / 4][q % 4];
 }
 
 } // namespace arenite

@@ -216,7 +216,7 @@ void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles
 {
     Phase const phase("deposit");
     ExchangeReport report;
-    exchange.weights = make_grain_weights(exchange.stencil, particles.position, particles.id, particles.count);
+    exchange.weights = make_grain_weights(exchange.stencil, particles.position, particles.id, particles.count, exchange.weights);
     GrainWeights const& weights = exchange.weights;
     report.coupled = weights.entries;
     fit(exchange.volume, "grain_volume", weights.entries, 1);
