@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/expected_steps.hpp"
 
+#include "apps/stage_setup.hpp"
 #include "core/wall_motion.hpp"
 
 #include <algorithm>
@@ -57,14 +58,12 @@ ExpectedSteps expected_steps(PlannedStage const& planned)
 
 double expected_search_interval(PlannedStage const& planned, Real smallest_diameter)
 {
-    constexpr double often = 60; // steps: below it the skin grows, above `rarely` it shrinks (stage_setup.cpp)
     // Whoever looks for grains that left, every hundred steps, searches anew where it finds some.
     double const rarely = planned.settings.outlet_wall.empty() ? 600 : 120;
-    Real const move = 2 * fastest_wall(planned.settings) * planned.dt; // of a grain, with half of the skin to go
+    Real const move = 2 * fastest_wall(planned.settings) * planned.dt / smallest_diameter; // of a grain, with half of the skin to go
     if (!(move > 0)) return rarely;
-    double const lasts = Real(0.1) * smallest_diameter / move;
-    if (lasts < often) return std::clamp(Real(0.3) * smallest_diameter / move, Real(1), Real(often));
-    return std::min(rarely, lasts);
+    double const skin = std::clamp(std::sqrt(balanced_list_age * move), Real(0.01), Real(0.3)); // see stage_setup.cpp
+    return std::clamp(skin / move, 1.0, rarely);
 }
 
 } // namespace arenite

@@ -27,7 +27,8 @@ void set_skin_limits(StageSetup& setup, RunState& state)
     for (PairConstants const& pair : setup.planned->pairs)
         if (pair.surface_energy > 0)
             reach = std::max(reach, -pair.break_overlap * pair.length_factor * std::cbrt(10 * smallest_diameter));
-    setup.least_skin = std::max(Real(0.03) * smallest_diameter, 4 * reach);
+    setup.smallest_diameter = smallest_diameter;
+    setup.least_skin = std::max(Real(0.01) * smallest_diameter, 4 * reach);
     setup.most_skin = std::max(Real(0.3) * smallest_diameter, setup.least_skin);
     if (!(state.skin > 0)) state.skin = Real(0.1) * smallest_diameter;
     state.skin = std::clamp(state.skin, setup.least_skin, setup.most_skin);
@@ -120,12 +121,19 @@ void go_back(StageSetup& setup, RunState& state, int steps)
     for (std::int64_t step = setup.known.step; step < state.clock.step; ++step) advance_walls(setup, state);
 }
 
-/// A search costs as much as some ten steps: let a list last a hundred, and no longer than pays.
+/// How long the list has lasted, of how long a list with this skin s should last. A skin costs a step 1.8 s/d of its time, in
+/// candidates that do not touch, and a search costs as much as 20 steps (d: the smallest diameter; pack of 33 752 grains).
+/// Both together are least where they are equal: a list should last 10 d/s steps.
+Real age_of_list(StageSetup const& setup, RunState const& state)
+{
+    return static_cast<Real>(state.clock.step - state.last_search) * state.skin / (balanced_list_age * setup.smallest_diameter);
+}
+
+/// Lists last in proportion to their skin, and age as its square.
 void renew_lists(StageSetup& setup, RunState& state)
 {
-    std::int64_t const lasted = state.clock.step - state.last_search;
-    if (lasted < 60) state.skin = std::min(state.skin * Real(1.25), setup.most_skin);
-    if (lasted > 600) state.skin = std::max(state.skin * Real(0.8), setup.least_skin);
+    Real const factor = 1 / std::sqrt(std::max(age_of_list(setup, state), Real(1e-9)));
+    state.skin = std::clamp(state.skin * std::clamp(factor, Real(0.5), Real(2)), setup.least_skin, setup.most_skin);
     search(setup, state);
 }
 
@@ -190,11 +198,12 @@ void follow_drift(StageSetup& setup, RunState& state, bool must_know)
     advance_walls(setup, state);
     bool const walls_came_near =
         setup.walls_move && wall_displacement(state.walls, state.wall_contacts.reference_pose) > setup.step.allowed_move;
-    bool const host_acts = walls_came_near || setup.planned->settings.box || servo_is_due(state.walls);
+    bool const outlived = state.skin > setup.least_skin && age_of_list(setup, state) > 4;
+    bool const host_acts = walls_came_near || outlived || setup.planned->settings.box || servo_is_due(state.walls);
     if (!must_know && !host_acts && !says_stale(state.integrator)) return;
     int const in_vain = take_stale(state.integrator);
     if (in_vain > 0) go_back(setup, state, in_vain);
-    if (in_vain >= 0 || walls_came_near) renew_lists(setup, state);
+    if (in_vain >= 0 || walls_came_near || outlived) renew_lists(setup, state);
     setup.known.step = state.clock.step;
 }
 

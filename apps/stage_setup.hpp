@@ -15,6 +15,9 @@ struct LastKnown {
     std::vector<WallState> walls; // only where walls move
 };
 
+/// Steps that a list should last, times its skin over the smallest diameter.
+inline constexpr Real balanced_list_age = 10;
+
 struct StageSetup {
     PlannedStage const* planned = nullptr;
     StageForces forces;
@@ -23,6 +26,7 @@ struct StageSetup {
     int outlet = -1;           // wall, or -1
     bool walls_move = false;
     LastKnown known;
+    Real smallest_diameter = 1;         // m, of the scene's grains
     Real least_skin = 0, most_skin = 0; // m
     std::int64_t searches = 0;
 };
@@ -42,7 +46,8 @@ void search(StageSetup& setup, RunState& state, View1<int> const& keep);
 
 /// The grains have drifted: time, walls and lists follow. Searches if a grain or a wall used up its share of the skin. The
 /// clock may go back, to the step whose list was stale: what was launched since did nothing. must_know: the host looks at
-/// the state in this step, so all steps have to be made. The skin follows how long lists last.
+/// the state in this step, so all steps have to be made. The skin follows how long lists last; one that lasts much too long
+/// is replaced by one with a smaller skin.
 void follow_drift(StageSetup& setup, RunState& state, bool must_know);
 
 /// Lets the servos look at the forces of this step, if it is their turn.

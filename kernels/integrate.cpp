@@ -46,7 +46,7 @@ struct GrainStep {
     {
         Vec3 result;
         for (int axis = 0; axis < 3; ++axis) {
-            Real const sign = velocity[axis] > 0 ? 1 : (velocity[axis] < 0 ? -1 : 0);
+            Real const sign = Real(velocity[axis] > 0) - Real(velocity[axis] < 0); // no branch: signs are anybody's guess
             result[axis] = force[axis] - settings.local_damping * Kokkos::fabs(force[axis]) * sign;
         }
         return result;
