@@ -264,7 +264,8 @@ Real RunOutput::write_produced(Grain const& grain, RunState const& state)
 void RunOutput::warn(std::string const& kind, std::string const& message)
 {
     constexpr std::int64_t shown = 3;
-    std::int64_t const count = ++stage().warnings[kind];
+    ++stage().warnings[kind];
+    std::int64_t const count = ++warnings_[{planned_->scene_stage, kind}];
     if (count > shown) return;
     progress_.clear();
     std::fputs(fmt::format("warning: {}{}\n", message, count == shown ? " (more of this kind are only counted)" : "").c_str(), stderr);

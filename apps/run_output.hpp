@@ -11,6 +11,9 @@
 #include "io/summary.hpp"
 
 #include <chrono>
+#include <map>
+#include <string>
+#include <utility>
 
 namespace arenite {
 
@@ -51,7 +54,7 @@ public:
     /// One row of the ledger; returns the grain's mass, kg.
     Real write_produced(Grain const& grain, RunState const& state);
 
-    /// Counts a warning of a kind; prints the first ones.
+    /// Counts a warning of a kind; prints the first ones in a stage of the scene, whatever parts it is run in.
     void warn(std::string const& kind, std::string const& message);
     void say(std::string const& message);
 
@@ -79,6 +82,7 @@ private:
     OutputCadence cadence_;
     std::chrono::steady_clock::time_point run_begin_, stage_begin_;
     std::int64_t stage_first_step_ = 0, last_fields_step_ = -1;
+    std::map<std::pair<int, std::string>, std::int64_t> warnings_; // by stage of the scene and kind
     bool quiet_;
 };
 

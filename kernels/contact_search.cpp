@@ -27,6 +27,13 @@ struct SearchPoints {
     View1<std::uint8_t> image;  // [point]
 };
 
+/// The cell of a position in units of cells; what lies outside counts to the cell at that end. Compared before the cast: no
+/// int holds the number of a cell that is very far away.
+KOKKOS_INLINE_FUNCTION int cell_number(Real x, int cells)
+{
+    return x < 1 ? 0 : (x >= cells ? cells - 1 : static_cast<int>(x));
+}
+
 /// A cell grid per size level; level l holds the radii in (edge[l-1], edge[l]].
 struct LevelGrids {
     static constexpr int most = 10; // a size ratio of 2^10
@@ -45,8 +52,7 @@ struct LevelGrids {
     }
     KOKKOS_FUNCTION int cell_along(int level, int axis, Real x) const
     {
-        int const c = static_cast<int>((x - lower[level][axis]) / cell[level]);
-        return c < 0 ? 0 : (c >= cells[level][axis] ? cells[level][axis] - 1 : c);
+        return cell_number((x - lower[level][axis]) / cell[level], cells[level][axis]);
     }
     KOKKOS_FUNCTION int cell_of(int level, Vec3 const& x) const
     {
@@ -79,6 +85,21 @@ Bounds find_bounds(RecordView const& position, int count)
     bounds.upper = {high[0], high[1], high[2]};
     bounds.smallest = smallest;
     bounds.largest = largest;
+    return bounds;
+}
+
+/// The part of the bounds that cells are made for: a grain that flew off by more than the box is long, and leaves the run
+/// when departures are looked for, must not put all others into one cell. It counts to the cell at that end.
+Bounds near_box(Bounds bounds, PeriodicBox const& box)
+{
+    Vec3 const size = box.size();
+    for (int axis = 0; axis < 3; ++axis) {
+        Real const lower = std::fmax(bounds.lower[axis], box.lower[axis] - size[axis]);
+        Real const upper = std::fmin(bounds.upper[axis], box.upper[axis] + size[axis]);
+        if (!(size[axis] > 0) || lower > upper) continue; // no box, or nothing near it
+        bounds.lower[axis] = lower;
+        bounds.upper[axis] = upper;
+    }
     return bounds;
 }
 
@@ -147,15 +168,12 @@ View1<int> locality_order(Particles const& particles, Bounds const& bounds, View
     View1<int> key(uninitialized("locality_key"), particles.count);
     RecordView const position = particles.position;
     Vec3 const lower = bounds.lower;
-    int const last = along - 1;
     bool const all_stay = !keep.is_allocated();
     Kokkos::parallel_for(
         "locality_key", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
             int code = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                int const c = static_cast<int>((position(i, axis) - lower[axis]) / cell);
-                code |= spread_bits(c > last ? last : c) << axis;
-            }
+            for (int axis = 0; axis < 3; ++axis)
+                code |= spread_bits(cell_number((position(i, axis) - lower[axis]) / cell, along)) << axis;
             key(i) = all_stay || keep(i) ? code : -1;
         });
     return make_cell_list(key, particles.id, particles.count, along * along * along).item;
@@ -457,7 +475,7 @@ View1<int> sort_grains(Particles& particles, PeriodicBox const& box, SearchSetti
     if (particles.count == 0) return View1<int>("sorted_from", 0);
     check_positions(particles);
     wrap_positions(particles, box);
-    Bounds const bounds = find_bounds(particles.position, particles.count);
+    Bounds const bounds = near_box(find_bounds(particles.position, particles.count), box);
     check_periodic_edges(box, 2 * bounds.largest + settings.skin);
     View1<int> const order = locality_order(particles, bounds, settings.keep);
     permute(particles, order);
@@ -482,7 +500,7 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     contacts.incident_begin = View1<int>("incident_begin", grains + 1);
     contacts.reference_position = RecordView("reference_position", grains);
     if (grains == 0) return allocate_contacts(contacts);
-    Bounds const bounds = find_bounds(particles.position, grains);
+    Bounds const bounds = near_box(find_bounds(particles.position, grains), box);
 
     PairFinder find{particles.position, particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin};
     find.grids = make_grids(find.points, bounds, skin);

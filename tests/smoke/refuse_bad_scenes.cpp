@@ -48,8 +48,10 @@ TEST(BadScenes, LeaveTheOutputFolderAlone)
     for (test::SceneKey const& key : test::every_scene_key()) {
         expect_refusal(test::write_key(key, key.field.name, test::values_of_wrong_type(key).front()).text);
         expect_refusal(test::write_key(key, test::misspelled(key.field.name), "1").text);
+        for (std::string const& value : test::values_out_of_range(key))
+            expect_refusal(test::write_key(key, key.field.name, test::as_value(key, value)).text);
     }
-    EXPECT_GT(refused, 300);
+    EXPECT_GT(refused, 400);
     EXPECT_EQ(contents(earlier), before);
     EXPECT_FALSE(fs::exists(scratch / "fresh"));
 }

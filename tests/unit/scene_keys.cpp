@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace arenite::test {
 namespace {
@@ -120,6 +122,20 @@ std::vector<std::string> values_of_wrong_type(SceneKey const& key)
     bool const is_array = as_value(key, "1") != "1";
     values.push_back(is_array ? "1" : "[1]");
     if (as_value(key, "1") == "[1, 1, 1]") values.insert(values.end(), {"[1, 1]", "[1, 1, 1, 1]", "[]"});
+    return values;
+}
+
+std::vector<std::string> values_out_of_range(SceneKey const& key)
+{
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    auto const& range = key.field.range;
+    std::vector<std::string> values;
+    auto const add = [&](Real bound, bool open, Real towards) {
+        Real const beyond = holds_integers(key) ? bound + (towards < 0 ? -1 : 1) : std::nextafter(bound, towards);
+        if (std::isfinite(bound)) values.push_back(fmt::format("{}", open ? bound : beyond));
+    };
+    add(range.lower, range.lower_open, -infinity);
+    add(range.upper, range.upper_open, infinity);
     return values;
 }
 

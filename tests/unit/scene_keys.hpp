@@ -32,6 +32,9 @@ WrittenKey write_key(SceneKey const& key, std::string const& name, std::string c
 /// TOML values of other types than the key's.
 std::vector<std::string> values_of_wrong_type(SceneKey const& key);
 
+/// Numbers just outside the key's range, on either side where it has an end; scalars, see as_value.
+std::vector<std::string> values_out_of_range(SceneKey const& key);
+
 /// The value that a scalar stands for in a key's type: itself, [v, v, v], [v].
 std::string as_value(SceneKey const& key, std::string const& scalar);
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <limits>
 
@@ -90,6 +91,33 @@ TEST(ContactSearch, AGrainFarAwayDoesNotMakeTheGridHuge)
     settings.grains[7].position = {40, -300, 2e5};
     GrainSystem const system = make_system(settings);
     EXPECT_EQ(wrong_pairs(system), 0);
+}
+
+// A grain that was thrown out is there until departures are looked for. All others in one cell would be a search of N^2.
+TEST(ContactSearch, AGrainFarAwayDoesNotMakeTheSearchSlow)
+{
+    PackSettings pack;
+    pack.count = 40000;
+    pack.largest = 1e-3;
+    pack.box = 4e-2;
+    SystemSettings settings = open_system(random_pack(pack));
+    settings.box.upper = {pack.box, pack.box, pack.box};
+    auto const seconds_of_a_search = [&] {
+        GrainSystem system = make_system(settings);
+        auto const begin = std::chrono::steady_clock::now();
+        rebuild(system);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    double const near = seconds_of_a_search();
+    for (Real const away : {Real(-1e3), Real(1e100)}) {
+        settings.grains[7].position.y = away;
+        EXPECT_LT(seconds_of_a_search(), 10 * near) << "a grain at " << away << " m"; // all in one cell: 35 times and more
+    }
+    pack.count = 500;
+    settings.grains = random_pack(pack);
+    settings.grains[7].position = {1e100, -1, 0};
+    settings.grains[8].position = settings.grains[7].position;
+    EXPECT_EQ(wrong_pairs(make_system(settings)), 0);
 }
 
 TEST(ContactSearch, StopsAtPositionsThatAreNotFinite)
