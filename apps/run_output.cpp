@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace arenite {
 namespace {
@@ -264,6 +265,7 @@ Real RunOutput::write_produced(Grain const& grain, RunState const& state)
 void RunOutput::warn(std::string const& kind, std::string const& message)
 {
     constexpr std::int64_t shown = 3;
+    if (std::exchange(last_warning_[kind], message) == message) return;
     ++stage().warnings[kind];
     std::int64_t const count = ++warnings_[{planned_->scene_stage, kind}];
     if (count > shown) return;

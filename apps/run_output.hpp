@@ -54,7 +54,8 @@ public:
     /// One row of the ledger; returns the grain's mass, kg.
     Real write_produced(Grain const& grain, RunState const& state);
 
-    /// Counts a warning of a kind; prints the first ones in a stage of the scene, whatever parts it is run in.
+    /// Counts a warning of a kind; prints the first ones in a stage of the scene, whatever parts it is run in. The end of a
+    /// part is the start of the next one: what was said of it is not said again.
     void warn(std::string const& kind, std::string const& message);
     void say(std::string const& message);
 
@@ -82,7 +83,8 @@ private:
     OutputCadence cadence_;
     std::chrono::steady_clock::time_point run_begin_, stage_begin_;
     std::int64_t stage_first_step_ = 0, last_fields_step_ = -1;
-    std::map<std::pair<int, std::string>, std::int64_t> warnings_; // by stage of the scene and kind
+    std::map<std::pair<int, std::string>, std::int64_t> warnings_; // [stage of the scene, kind] how many
+    std::map<std::string, std::string> last_warning_;              // [kind]
     bool quiet_;
 };
 
