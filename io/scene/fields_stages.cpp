@@ -78,7 +78,9 @@ Fields box_fields(BoxSettings& b)
         {"x", box_axis(b, 0), "", "what the box does along x; an axis without a table stays as it is"},
         {"y", box_axis(b, 1), "", "along y"},
         {"z", box_axis(b, 2), "", "along z"},
-        {"max_strain_rate", &b.max_strain_rate, "1/s", "of axes that hold a stress", not_negative()},
+        {"max_strain_rate", &b.max_strain_rate, "1/s",
+         "of axes that hold a stress: they move at this times the relative error of their stress, which is at most 1",
+         not_negative()},
     };
 }
 
