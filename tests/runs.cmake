@@ -19,3 +19,4 @@ arenite_run_test(stop_by_signal stability stability/stop_by_signal.py $<TARGET_F
 foreach(case checkpoints disk read_only)
   arenite_run_test(bad_${case} stability stability/bad_files.py ${case} $<TARGET_FILE:arenite> ${scenes})
 endforeach()
+arenite_run_test(verify_triaxial verification verification/triaxial.py $<TARGET_FILE:arenite> ${PROJECT_SOURCE_DIR}/scenes)
