@@ -55,7 +55,8 @@ FINDINGS = """
 | F5: viscous forms A1, A3 | the solver has n div(tau) (A2) only |
 | F9: 128^3 cells | in the convergence test `converge_pressure_solver` |
 | C2: d/x = 4 | 1e5 cells for one grain; d/x = 2 shows the same slip as 1 |
-| C6, C8 to C12, D16 to D20, G3, G5 | studies of scenes, not closed forms |
+| C6, C8 to C12, D18 to D20, G5 | studies of scenes, not closed forms |
+| D16, D17, G3 | [material.md](material.md), by `perf/material/run.py`; in small `verify_triaxial` in ctest |
 | D15 | `verify_servo` in ctest |
 | H1 to H11, H13 to H19 | hard cases, not closed forms: what is tested of them is in the other folders of `tests/` |
 """
