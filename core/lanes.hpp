@@ -170,7 +170,9 @@ struct LaneRecords {
     Lanes w;
 };
 
-#if defined(ARENITE_HOST_LANES) && __has_builtin(__builtin_shufflevector)
+// Of other widths the functions would not even parse: their vectors are of eight.
+#if defined(ARENITE_HOST_LANES) && defined(__AVX512F__) && __has_builtin(__builtin_shufflevector)
+#define ARENITE_EIGHT_LANES
 // Whole records are moved and turned in registers: 2 memory accesses and 3 shuffles for 8 numbers, where number by
 // number it takes 8 and 7.
 namespace lanes_detail {
@@ -215,26 +217,28 @@ using Octet __attribute__((vector_size(64))) = Real;
 /// Record `rows[n]` of four numbers each in lane n.
 KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int const* rows)
 {
-#if defined(ARENITE_HOST_LANES) && __has_builtin(__builtin_shufflevector)
-    if constexpr (lane_count == 8) return lanes_detail::load_eight(records, rows);
-#endif
+#ifdef ARENITE_EIGHT_LANES
+    return lanes_detail::load_eight(records, rows);
+#else
     Lanes part[4];
     for (int k = 0; k < 4; ++k) part[k] = make_lanes([&](int n) { return records[4 * static_cast<std::ptrdiff_t>(rows[n]) + k]; });
     return {{part[0], part[1], part[2]}, part[3]};
+#endif
 }
 
 /// Lane n's record to `to + n * stride`.
 KOKKOS_FORCEINLINE_FUNCTION void store_records(LaneRecords const& records, Real* to, int stride)
 {
-#if defined(ARENITE_HOST_LANES) && __has_builtin(__builtin_shufflevector)
-    if constexpr (lane_count == 8) return lanes_detail::store_eight(records, to, stride);
-#endif
+#ifdef ARENITE_EIGHT_LANES
+    lanes_detail::store_eight(records, to, stride);
+#else
     for (int n = 0; n < lane_count; ++n) {
         to[n * stride] = lane(records.xyz.x, n);
         to[n * stride + 1] = lane(records.xyz.y, n);
         to[n * stride + 2] = lane(records.xyz.z, n);
         to[n * stride + 3] = lane(records.w, n);
     }
+#endif
 }
 
 } // namespace arenite

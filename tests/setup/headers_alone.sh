@@ -42,6 +42,13 @@ for folder in core kernels fluid io apps; do
         printf '#include "%s"\n' "$header" >"$scratch/$name.cpp"
         printf '%s -fsyntax-only -w %s >%s.log 2>&1 || touch %s.wrong\n' \
             "$command" "$scratch/$name.cpp" "$scratch/$name" "$scratch/$name"
+        # What computes with vectors has to compile for the narrower ones of other processors too.
+        [[ $header == *lanes* && $(uname -m) == x86_64 ]] || continue
+        for without in avx512f avx; do
+            cp "$scratch/$name.cpp" "$scratch/$name,no_$without.cpp"
+            printf '%s -mno-%s -fsyntax-only -w %s >%s.log 2>&1 || touch %s.wrong\n' \
+                "$command" "$without" "$scratch/$name,no_$without.cpp" "$scratch/$name,no_$without" "$scratch/$name,no_$without"
+        done
     done
 done >"$scratch/commands"
 
