@@ -39,7 +39,7 @@ TEST(SceneRoundTrip, ValuesArrive)
 
 TEST(SceneRoundTrip, StageMaterialsInheritWhatTheyDoNotName)
 {
-    MaterialSettings const& sand = valid().stages[1].materials.at("sand");
+    MaterialSettings const sand = valid().stages[1].materials.at("sand");
     EXPECT_EQ(sand.friction, 0.15);
     EXPECT_EQ(sand.youngs_modulus, 2e10);
     EXPECT_EQ(sand.surface_energy, 30);
@@ -47,7 +47,7 @@ TEST(SceneRoundTrip, StageMaterialsInheritWhatTheyDoNotName)
 
 TEST(SceneRoundTrip, StageInteractionsInheritWhatTheyDoNotName)
 {
-    InteractionSettings const& pair = valid().stages[1].interactions[0];
+    InteractionSettings const pair = valid().stages[1].interactions[0];
     EXPECT_EQ(pair.restitution, 0.7);
     EXPECT_EQ(pair.friction, 0.15);
 }
