@@ -5,6 +5,7 @@
 #include "apps/run.hpp"
 #include "io/checkpoint_folder.hpp"
 #include "io/scene_reader.hpp"
+#include "io/stream_tracer.hpp"
 #include "io/time_series.hpp"
 
 #include <gtest/gtest.h>
@@ -162,8 +163,9 @@ TEST(SmallScene, StagesTakeTheStepsThatCheckExpects)
 
 TEST(SmallScene, WritesEverySeries)
 {
-    for (char const* name : {"particles.pvd", "fluid.pvd", "streamlines.pvd", "walls.pvd", "history.csv", "summary.json", "scene.toml"})
+    for (char const* name : {"particles.pvd", "fluid.pvd", "walls.pvd", "history.csv", "summary.json", "scene.toml"})
         EXPECT_TRUE(fs::exists(whole_run() / name)) << name;
+    EXPECT_EQ(fs::exists(whole_run() / "streamlines.pvd"), can_trace());
 }
 
 TEST(SmallScene, ResumeInEveryStageIsExact)
