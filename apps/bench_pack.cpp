@@ -22,19 +22,6 @@ using Clock_ = std::chrono::steady_clock;
 
 double seconds_between(Clock_::time_point a, Clock_::time_point b) { return std::chrono::duration<double>(b - a).count(); }
 
-MaterialSettings bench_sand(double surface_energy)
-{
-    MaterialSettings sand;
-    sand.name = "sand";
-    sand.density = 2605;
-    sand.youngs_modulus = 2e10;
-    sand.poissons_ratio = 0.3;
-    sand.restitution = 0.8;
-    sand.friction = 0.2;
-    sand.surface_energy = surface_energy;
-    return sand;
-}
-
 std::vector<WallSettings> bench_walls(BenchPack const& pack)
 {
     std::vector<WallSettings> walls;
@@ -143,6 +130,19 @@ void make_steps(PreparedPack& prepared, long long steps, BenchRun& run)
 }
 
 } // namespace
+
+MaterialSettings bench_sand(double surface_energy)
+{
+    MaterialSettings sand;
+    sand.name = "sand";
+    sand.density = 2605;
+    sand.youngs_modulus = 2e10;
+    sand.poissons_ratio = 0.3;
+    sand.restitution = 0.8;
+    sand.friction = 0.2;
+    sand.surface_energy = surface_energy;
+    return sand;
+}
 
 BenchPack read_pack(std::string const& path)
 {

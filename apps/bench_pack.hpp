@@ -16,6 +16,9 @@ struct BenchPack {
     std::string name;
 };
 
+/// The sand of the packs; surface_energy in J/m2.
+MaterialSettings bench_sand(double surface_energy);
+
 /// "x y z radius" lines, m; throws InputError. The side walls are where the grains' extent ends, to 0.1 mm.
 BenchPack read_pack(std::string const& path);
 

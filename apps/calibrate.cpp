@@ -3,6 +3,7 @@
 
 #include "apps/given_grains.hpp"
 #include "apps/make_state.hpp"
+#include "apps/seconds_of.hpp"
 #include "apps/stage_loop.hpp"
 #include "apps/stage_setup.hpp"
 #include "apps/view_memory.hpp"
@@ -10,9 +11,7 @@
 #include "io/scene_reader.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace arenite {
@@ -54,15 +53,6 @@ std::vector<Grain> lattice_of(Scene const& scene)
         grains.push_back(grain);
     }
     return grains;
-}
-
-double seconds_of(std::function<void()> const& work)
-{
-    Kokkos::fence();
-    auto const begin = std::chrono::steady_clock::now();
-    work();
-    Kokkos::fence();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// Seconds of one grain step: as many as take a fifth of a second, five at least.

@@ -62,7 +62,7 @@ double expected_search_interval(PlannedStage const& planned, Real smallest_diame
     double const rarely = planned.settings.outlet_wall.empty() ? 600 : 120;
     Real const move = 2 * fastest_wall(planned.settings) * planned.dt / smallest_diameter; // of a grain, with half of the skin to go
     if (!(move > 0)) return rarely;
-    double const skin = std::clamp(std::sqrt(balanced_list_age * move), Real(0.01), Real(0.3)); // see stage_setup.cpp
+    double const skin = std::clamp(std::sqrt(balanced_list_age * move), least_relative_skin, most_relative_skin);
     return std::clamp(skin / move, 1.0, rarely);
 }
 

@@ -28,8 +28,8 @@ void set_skin_limits(StageSetup& setup, RunState& state)
         if (pair.surface_energy > 0)
             reach = std::max(reach, -pair.break_overlap * pair.length_factor * std::cbrt(10 * smallest_diameter));
     setup.smallest_diameter = smallest_diameter;
-    setup.least_skin = std::max(Real(0.01) * smallest_diameter, 4 * reach);
-    setup.most_skin = std::max(Real(0.3) * smallest_diameter, setup.least_skin);
+    setup.least_skin = std::max(least_relative_skin * smallest_diameter, 4 * reach);
+    setup.most_skin = std::max(most_relative_skin * smallest_diameter, setup.least_skin);
     if (!(state.skin > 0)) state.skin = Real(0.1) * smallest_diameter;
     state.skin = std::clamp(state.skin, setup.least_skin, setup.most_skin);
 }

@@ -15,8 +15,8 @@ struct LastKnown {
     std::vector<WallState> walls; // only where walls move
 };
 
-/// Steps that a list should last, times its skin over the smallest diameter.
-inline constexpr Real balanced_list_age = 10;
+/// The skin over the smallest diameter: within these, and so that the list lasts balanced_list_age steps divided by it.
+inline constexpr Real least_relative_skin = 0.01, most_relative_skin = 0.3, balanced_list_age = 10;
 
 struct StageSetup {
     PlannedStage const* planned = nullptr;

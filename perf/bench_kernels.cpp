@@ -11,31 +11,29 @@ namespace
 
 using namespace arenite;
 
+/// Makes a pack that is empty, and takes its fluid through a step.
+CoupledPack& ready(CoupledPack& pack, int grains, std::array<int, 3> const& cells, NormalLaw law)
+{
+    if (pack.state.particles.count > 0) return pack;
+    make_coupled_pack(grains, cells, law, pack);
+    deposit_porosity(pack.fluid.flow, pack.fluid.exchange, pack.state.particles);
+    deposit_drag(pack.fluid.flow, pack.fluid.exchange, pack.state.particles, CoupledPack::fluid_dt);
+    advance_flow(pack.fluid.flow, pack.fluid.boundary, pack.fluid.solver, CoupledPack::fluid_dt);
+    return pack;
+}
+
 /// One pack per law and grid, kept past main: Views end with Kokkos, not after it.
 CoupledPack& pack_of(NormalLaw law)
 {
     static CoupledPack* const packs[2] = {new CoupledPack, new CoupledPack};
-    CoupledPack& pack = *packs[law == NormalLaw::hertz];
-    if (pack.state.particles.count == 0) {
-        make_coupled_pack(32768, {12, 12, 6}, law, pack);
-        deposit_porosity(pack.fluid.flow, pack.fluid.exchange, pack.state.particles);
-        deposit_drag(pack.fluid.flow, pack.fluid.exchange, pack.state.particles, CoupledPack::fluid_dt);
-        advance_flow(pack.fluid.flow, pack.fluid.boundary, pack.fluid.solver, CoupledPack::fluid_dt);
-    }
-    return pack;
+    return ready(*packs[law == NormalLaw::hertz], 32768, {12, 12, 6}, law);
 }
 
 /// A fine grid on a small pack: the kernels of the fluid.
 CoupledPack& fluid_pack()
 {
     static CoupledPack* const pack = new CoupledPack;
-    if (pack->state.particles.count == 0) {
-        make_coupled_pack(4096, {64, 64, 64}, NormalLaw::hertz, *pack);
-        deposit_porosity(pack->fluid.flow, pack->fluid.exchange, pack->state.particles);
-        deposit_drag(pack->fluid.flow, pack->fluid.exchange, pack->state.particles, CoupledPack::fluid_dt);
-        advance_flow(pack->fluid.flow, pack->fluid.boundary, pack->fluid.solver, CoupledPack::fluid_dt);
-    }
-    return *pack;
+    return ready(*pack, 4096, {64, 64, 64}, NormalLaw::hertz);
 }
 
 template <class Work> void repeat(benchmark::State& state, int items, Work const& work)

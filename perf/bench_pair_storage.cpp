@@ -29,13 +29,7 @@ struct Pack {
 
 Pack make_pack()
 {
-    MaterialSettings sand;
-    sand.density = 2605;
-    sand.youngs_modulus = 2e10;
-    sand.poissons_ratio = 0.3;
-    sand.restitution = 0.8;
-    sand.friction = 0.2;
-    sand.surface_energy = 60;
+    MaterialSettings const sand = bench_sand(60);
     ContactSettings contact;
     contact.normal = NormalLaw::jkr;
     contact.break_point = BreakPoint::S;

@@ -8,19 +8,6 @@ namespace arenite
 namespace
 {
 
-MaterialSettings bench_sand()
-{
-    MaterialSettings sand;
-    sand.name = "sand";
-    sand.density = 2605;
-    sand.youngs_modulus = 2e10;
-    sand.poissons_ratio = 0.3;
-    sand.restitution = 0.8;
-    sand.friction = 0.2;
-    sand.surface_energy = 60;
-    return sand;
-}
-
 FluidSettings fluid_of(std::array<int, 3> const& cells)
 {
     FluidSettings settings;
@@ -42,7 +29,7 @@ void make_coupled_pack(int grains, std::array<int, 3> const& cells, NormalLaw la
 {
     RunState& state = pack.state;
     BenchPack const lattice = lattice_pack(grains);
-    MaterialSettings const sand = bench_sand();
+    MaterialSettings const sand = bench_sand(60);
     state.particles = make_particles(lattice.grains, {sand.density});
     state.box.lower = lattice.lower;
     state.box.upper = lattice.upper;

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import re
 import subprocess
 import sys
@@ -35,10 +34,9 @@ def flags(build: Path) -> str:
 
 
 def run(program: Path, threads: int, repetitions: int, which: str) -> list[dict]:
-    environment = {**os.environ, "OMP_NUM_THREADS": str(threads), "OMP_PROC_BIND": "false"}
     command = [program, "--benchmark_format=json", f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.2",
                "--benchmark_report_aggregates_only=true", f"--benchmark_filter={which}"]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    done = subprocess.run(command, env=measure.environment_of(threads), capture_output=True, text=True)
     if done.returncode != 0 or not done.stdout.strip():
         raise SystemExit(f"{program} failed:\n{done.stderr}{done.stdout}")
     return json.loads(done.stdout)["benchmarks"]

@@ -88,11 +88,15 @@ def program_info(program: Path) -> dict[str, str]:
     return {"commit": version, "compiler": f"{compiler}, {build}"}
 
 
+def environment_of(threads: int) -> dict[str, str]:
+    """The environment in which a program of ours runs on that many threads."""
+    return {**os.environ, "OMP_NUM_THREADS": str(threads), "OMP_PROC_BIND": "false"}
+
+
 def bench(program: Path, threads: int, *arguments: object) -> list[dict]:
     """Results of `arenite bench` with the arguments; raises where it fails."""
-    environment = {**os.environ, "OMP_NUM_THREADS": str(threads), "OMP_PROC_BIND": "false"}
     command = [str(program), "bench", "--json", *map(str, arguments)]
-    run = subprocess.run(command, env=environment, capture_output=True, text=True)
+    run = subprocess.run(command, env=environment_of(threads), capture_output=True, text=True)
     if run.returncode != 0:
         raise RuntimeError(f"{shlex.join(command)} failed:\n{run.stderr}{run.stdout}")
     return [json.loads(line) for line in run.stdout.splitlines() if line.startswith("{")]

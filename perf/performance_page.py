@@ -14,6 +14,7 @@ import collections
 from pathlib import Path
 
 import measure
+import page_parts
 
 PAGE = measure.ROOT / "docs/performance.md"
 Rows = list[dict[str, str]]
@@ -33,7 +34,7 @@ class Tables:
 
     def __init__(self, folder: Path) -> None:
         self._tables = {path.stem: measure.read_table(path) for path in sorted(folder.glob("*.csv"))}
-        self._used: set[str] = set()
+        self._used = {"material"}  # on a page of its own, docs/material.md
 
     def get(self, name: str) -> tuple[list[str], Rows]:
         self._used.add(name)
@@ -48,10 +49,9 @@ def quote(comments: list[str]) -> str:
 
 
 def table(head: list[str], rows: list[list[str]]) -> str:
-    align = ["---" if all(not cell.replace(".", "").replace("–", "").strip("-").isdigit() for cell in column) else "--:"
-             for column in zip(*rows)]
-    lines = [head, align, *rows]
-    return "\n".join("| " + " | ".join(cells) + " |" for cells in lines) + "\n"
+    """Columns with a number in them are columns of numbers."""
+    numbers = [any(cell.replace(".", "").replace("–", "").strip("-").isdigit() for cell in column) for column in zip(*rows)]
+    return page_parts.table([">" * right + title for right, title in zip(numbers, head)], rows) + "\n"
 
 
 def number(text: str, digits: int = 3, scale: float = 1.0) -> str:

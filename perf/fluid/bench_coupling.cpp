@@ -3,12 +3,12 @@
 // runs it.
 //
 //   bench_coupling GRAINS CELLS_X CELLS_Y CELLS_Z REPEATS
+#include "apps/seconds_of.hpp"
 #include "perf/coupled_pack.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
@@ -16,15 +16,6 @@ namespace
 {
 
 using namespace arenite;
-
-double seconds_of(std::function<void()> const& work)
-{
-    Kokkos::fence();
-    auto const begin = std::chrono::steady_clock::now();
-    work();
-    Kokkos::fence();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 double median(std::vector<double> values)
 {

@@ -7,6 +7,7 @@
 // FOLDER: the pressure's linear system goes there as arrays of doubles, for another solver: conductance_x, _y, _z (one
 // more face than cells along their axis) and right_hand_side, x fastest.
 #include "apps/bench_limits.hpp"
+#include "apps/seconds_of.hpp"
 #include "fluid/advance_flow.hpp"
 #include "fluid/halos.hpp"
 #include "fluid/pressure.hpp"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -67,13 +67,7 @@ void lay_bed(Flow const& flow_now)
 template <class Work> double median_seconds(int repeats, Work const& work)
 {
     std::vector<double> seconds;
-    for (int n = 0; n < repeats; ++n) {
-        Kokkos::fence();
-        auto const begin = std::chrono::steady_clock::now();
-        work();
-        Kokkos::fence();
-        seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    }
+    for (int n = 0; n < repeats; ++n) seconds.push_back(seconds_of(work));
     std::nth_element(seconds.begin(), seconds.begin() + repeats / 2, seconds.end());
     return seconds[repeats / 2];
 }

@@ -48,8 +48,7 @@ def pyamg_python() -> Path | None:
 
 
 def run(program: Path, threads: int, *arguments: object) -> list[str]:
-    environment = {**os.environ, "OMP_NUM_THREADS": str(threads), "OMP_PROC_BIND": "false"}
-    done = subprocess.run([str(program), *map(str, arguments)], env=environment, capture_output=True, text=True)
+    done = subprocess.run([str(program), *map(str, arguments)], env=measure.environment_of(threads), capture_output=True, text=True)
     if done.returncode != 0:
         raise SystemExit(f"{program.name} {' '.join(map(str, arguments))} failed:\n{done.stderr}")
     return done.stdout.strip().split(",")

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import re
 import subprocess
 import sys
@@ -43,7 +42,7 @@ def main() -> int:
     parser.add_argument("--scenes", nargs="+", default=list(SCENES), choices=SCENES)
     parser.add_argument("--threads", type=int, default=measure.cores())
     arguments = parser.parse_args()
-    environment = {**os.environ, "OMP_NUM_THREADS": str(arguments.threads), "OMP_PROC_BIND": "false"}
+    environment = measure.environment_of(arguments.threads)
     rows, wrong = [], []
     for name in arguments.scenes:
         scene, settings = SCENES[name]

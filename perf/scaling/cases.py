@@ -5,7 +5,6 @@ step and cells the same. Bonded grains (modified JKR) with water through them, a
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 from pathlib import Path
 
@@ -106,7 +105,7 @@ def write_case(k: int, program: Path) -> Path:
 def run_stage(program: Path, scene: Path, threads: int, duration: float) -> float:
     """Seconds of the stage, its output included."""
     output = FOLDER / f"run-{scene.stem}"
-    environment = {**os.environ, "OMP_NUM_THREADS": str(threads), "OMP_PROC_BIND": "false"}
+    environment = measure.environment_of(threads)
     command = [program, "run", scene, "-o", output, "--quiet", "--set", f"stages.production.duration={duration:g}"]
     run = subprocess.run(command, env=environment, capture_output=True, text=True)
     if run.returncode != 0:
