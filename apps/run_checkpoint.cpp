@@ -237,6 +237,8 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
     for_each_array(state, [&](std::string const& name, auto const& view) {
         if (view.is_allocated()) out.array(name, view);
     });
+    Vec3 const& lasting = state.lasting_strain_rate;
+    out.array("box/lasting_strain_rate", std::vector<Real>{lasting.x, lasting.y, lasting.z});
     out.array("particles/motion", motion_bytes(state.particles));
     if (state.energy) save_energy(out, *state.energy);
     save_groups(out, state.groups);
@@ -258,6 +260,10 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
         view = {};
         if (in.has(name)) in.view(name, view);
     });
+    if (in.has("box/lasting_strain_rate")) { // earlier checkpoints of this format lack it
+        std::vector<Real> const lasting = in.array<Real>("box/lasting_strain_rate");
+        state.lasting_strain_rate = {lasting.at(0), lasting.at(1), lasting.at(2)};
+    }
     View1<std::uint8_t> motion;
     in.view("particles/motion", motion);
     restore_motion(motion, state.particles);

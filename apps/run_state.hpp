@@ -51,6 +51,7 @@ struct RunState {
     Particles particles;
     GrainGroups groups;
     PeriodicBox box;
+    Vec3 lasting_strain_rate;        // 1/s, of the axes of the box that hold a stress: their servos' memory
     Walls walls;
     ContactList contacts;
     std::uint64_t inputs = 0; // hash_of_inputs when the run or its resume began: the files are needed no longer

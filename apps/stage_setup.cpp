@@ -82,6 +82,29 @@ void take_up_lists(StageSetup& setup, RunState& state)
     setup.step.allowed_move = state.skin / 2;
 }
 
+/// How the rate of an axis that holds a stress answers to the miss, the relative error of that stress. In proportion, with
+/// the largest rate at a miss of 1: where nothing else moves, the sample comes to rest at its stress, since such a box only
+/// takes energy. But where another axis is driven, this one has to move on for as long (a sheared sample bulges at up to the
+/// axial rate), and would have a lasting miss of that rate over the largest: a tenth in stiff cemented sand. A larger largest
+/// rate is no way out, because above 2 target / (K t), with the sample's stiffness K and the time t between two looks, the box
+/// rings. So there the rate that lasts is summed up from the misses, in as many looks as keep it from ringing with the
+/// proportional part, and taken off; in a box that is not driven that sum would shake the sample and keep it from its rest.
+/// A large miss is one of a sample that has lost its contacts or not found them yet: what it asks for does not last.
+constexpr Real looks_to_learn = 20, large_miss = 0.2;
+
+bool is_driven(BoxSettings const& box)
+{
+    return std::any_of(box.strain_rate.begin(), box.strain_rate.end(), [](auto const& rate) { return rate.value_or(0) != 0; });
+}
+
+/// Strain rate [1/s] until the next look. lasting_rate [1/s]: what was learnt, if it is to be.
+Real servo_strain_rate(Real miss, Real largest, bool learns, Real& lasting_rate)
+{
+    if (learns && std::fabs(miss) < large_miss)
+        lasting_rate = std::clamp(lasting_rate + miss / looks_to_learn * largest, -largest, largest);
+    return std::clamp(lasting_rate + miss * largest, -largest, largest);
+}
+
 /// The box follows the step that the grains just made; then the next rates: those that the scene gives, and those that
 /// bring the stress of an axis to its target.
 void steer_box(StageSetup const& setup, RunState& state)
@@ -95,10 +118,12 @@ void steer_box(StageSetup const& setup, RunState& state)
         if (box.strain_rate[axis]) state.box.strain_rate[axis] = *box.strain_rate[axis];
     if (!box.holds_stress() || state.clock.stage_step % interval != 0) return;
     Vec3 const stress = mean_stress(state.particles, state.box, state.contacts, state.sums);
+    bool const driven = is_driven(box);
     for (int axis = 0; axis < 3; ++axis)
-        if (box.stress[axis]) { // full rate at a stress that is off by its own size
+        if (box.stress[axis]) {
             Real const miss = (stress[axis] - *box.stress[axis]) / std::max(std::fabs(*box.stress[axis]), Real(1));
-            state.box.strain_rate[axis] = std::clamp(miss, Real(-1), Real(1)) * box.max_strain_rate;
+            state.box.strain_rate[axis] =
+                servo_strain_rate(miss, box.max_strain_rate, driven, state.lasting_strain_rate[axis]);
         }
 }
 
@@ -150,7 +175,7 @@ StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState
     apply_groups(scene, scene.stages[planned.scene_stage].name, state.groups, state.particles);
     state.clock.dt = planned.dt;
     state.stage_tally = state.tally;
-    state.box.strain_rate = {};
+    state.box.strain_rate = state.lasting_strain_rate = {};
     if (stage.box)
         for (int axis = 0; axis < 3; ++axis) state.box.strain_rate[axis] = stage.box->strain_rate[axis].value_or(0);
     state.tuned_friction = stage.target_porosity > 0 ? planned.pairs.front().friction : -1;

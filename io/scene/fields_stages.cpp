@@ -79,7 +79,8 @@ Fields box_fields(BoxSettings& b)
         {"y", box_axis(b, 1), "", "along y"},
         {"z", box_axis(b, 2), "", "along z"},
         {"max_strain_rate", &b.max_strain_rate, "1/s",
-         "of axes that hold a stress: they move at this times the relative error of their stress, which is at most 1",
+         "of axes that hold a stress: the largest, which answers a stress that is off by its own size; beside an axis with a "
+         "strain rate they also learn the rate that lasts",
          not_negative()},
     };
 }

@@ -45,13 +45,13 @@ def shear_rows(folder: Path) -> list[dict[str, float]]:
 
 
 def check_lateral_stress(rows: list[dict[str, float]], stress: float, most: float, what: str) -> None:
-    """The servo is off by the rate that it needs over its largest: 1/2 to 1 of the axial rate over 37 of it. Single
-    rows scatter by what a box of few grains does between two looks."""
-    settled = rows[len(rows) // 10 :]
+    """A servo that is in proportion to the miss alone is 1.4 to 2.7 % off on average: 1/2 to 1 of the axial rate over 37 of
+    it. Single rows scatter by what grains and breaking bonds do between two looks."""
     for axis in "xy":
-        mean = sum(row[f"stress_{axis}"] for row in settled) / len(settled)
-        expect(0 < mean / stress - 1 < 0.03, f"{what}: mean stress along {axis} is {mean / stress:.4f} of its target")
-        worst = max(abs(row[f"stress_{axis}"] / stress - 1) for row in settled)
+        misses = [row[f"stress_{axis}"] / stress - 1 for row in rows]
+        mean, worst = sum(misses) / len(misses), max(map(abs, misses))
+        print(f"{what}: stress along {axis} is off by {mean:.5f}, at most {worst:.4f}", flush=True)
+        expect(abs(mean) < 2e-3, f"{what}: mean stress along {axis} is off by {mean:.4f}")
         expect(worst < most, f"{what}: a stress along {axis} is off by {worst:.4f}")
 
 
@@ -94,18 +94,18 @@ def sheared_state(rows: list[dict[str, float]]) -> tuple[float, float]:
 def main() -> None:
     program, scenes = Arenite(sys.argv[1]), Path(sys.argv[2])
     cases = {
-        "dry": ("triaxial.toml", ("confine",), {"materials.sand.friction": 0.2}),
-        "bonded": ("triaxial_bonded.toml", ("confine", "cement"), {}),
+        "dry": ("triaxial.toml", ("confine",), {"materials.sand.friction": 0.2}, 0.01),
+        "bonded": ("triaxial_bonded.toml", ("confine", "cement"), {}, 0.03),
     }
     cohesions = {}
     with tempfile.TemporaryDirectory() as scratch:
-        for name, (scene, stages, more) in cases.items():
+        for name, (scene, stages, more, most) in cases.items():
             states = []
             for stress in STRESSES:
                 folder, what = Path(scratch) / f"{name}-{stress:g}", f"{name} at {stress / 1e6:g} MPa"
                 program.run(scenes / scene, folder, *settings(stages, stress, more))
                 rows = shear_rows(folder)
-                check_lateral_stress(rows, stress, 0.15, what)
+                check_lateral_stress(rows, stress, most, what)
                 check_work(rows, what)
                 if name == "bonded":
                     expect(
