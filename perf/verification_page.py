@@ -59,7 +59,11 @@ FINDINGS = """
 | C6, C8 to C12, D18 to D20, G5 | studies of scenes, not closed forms |
 | D16, D17, G3 | [material.md](material.md), by `perf/material/run.py`; in small `verify_triaxial` in ctest |
 | D15 | `verify_servo` in ctest |
-| H1 to H11, H13 to H19 | hard cases, not closed forms: what is tested of them is in the other folders of `tests/` |
+| H1 to H11, H13 to H20 | hard cases, not closed forms: `ctest -L 'stability|determinism'`; `grep -rw H16 tests` finds the test of one |
+| H18: several ranks | the program refuses to start as one of several: it has no domain decomposition |
+| H18: GPU | `ctest -L determinism` compares a GPU's runs with each other; a CPU's bits are others, its sums round elsewhere |
+| H20: 1e6 steps | 4e4 of them: a test of seconds |
+| H21: fp32 | a number is a double everywhere: no scene uses another precision, and 4 digits of an overlap in 18 mm are too few |
 """
 
 

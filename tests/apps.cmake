@@ -31,7 +31,7 @@ set_tests_properties(verify_balance PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OM
 
 # Hard cases (validation catalogue H1-H20).
 foreach(cases hard_grains hard_coupling)
-  arenite_test(${cases} stability stability/${cases}.cpp LINK arenite_driver)
+  arenite_test(${cases} stability stability/${cases}.cpp LINK arenite_driver arenite_verify)
   target_include_directories(${cases} PRIVATE ${PROJECT_SOURCE_DIR})
   set_tests_properties(${cases} PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 endforeach()

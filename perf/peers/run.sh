@@ -10,6 +10,11 @@ mpich_version=5.0.2
 environment=build/peers
 
 export ARENITE_MEASURED_BY=perf/peers/run.sh
+for argument in "$@"; do
+    case $argument in
+    -h | --help) exec python3 perf/peers/compare.py --help ;;
+    esac
+done
 if [ "${1:-}" = --install ]; then
     shift
     as_root=()
@@ -19,7 +24,11 @@ if [ "${1:-}" = --install ]; then
 fi
 
 named=no
-for argument in "$@"; do [ "$argument" != --arenite ] || named=yes; done
+for argument in "$@"; do
+    case $argument in
+    --arenite | --arenite=*) named=yes ;;
+    esac
+done
 if [ $named = no ] && [ ! -x build/openmp/apps/arenite ]; then
     . cmake/setup.sh
     arenite_set_up arenite

@@ -1,4 +1,4 @@
-# cmake -D PROGRAM=... -D "ARGUMENTS=..." -P compare_threads.cmake: the program prints the same line with 1, 2
+# H18. cmake -D PROGRAM=... -D "ARGUMENTS=..." -P compare_threads.cmake: the program prints the same line with 1, 2
 # and 3 threads. The line has to be there: an empty one would always be equal.
 foreach(threads 1 2 3)
   execute_process(COMMAND ${PROGRAM} ${ARGUMENTS} --kokkos-num-threads=${threads}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The coupled step's bits: equal for any number of threads.
+// The coupled step's bits: equal for any number of threads (H18).
 #include "fluid/advance_flow.hpp"
 #include "fluid/exchange.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fluid's bits: equal for any number of threads and across a restart.
+// The fluid's bits: equal for any number of threads (H18) and across a restart (H17).
 #include "apps/verify/fluid_case.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """whole_runs.py CASE PROGRAM SCENES: whole runs of small scenes give the same bits
-  threads    with 1, 2 and 4 threads; a run of all four stages is begun with one and goes on with others,
-  restarts   stopped and resumed at odd steps in the middle of every stage,
+  threads    with 1, 2 and 4 threads; a run of all four stages is begun with one and goes on with others (H18),
+  restarts   stopped and resumed at odd steps, three in every stage (H17),
   periodic   the same in a box that is periodic, deforms and lets grains out, where the time of a search shows in the bits,
   output     whatever is written and however often (no balance, other intervals): the grains themselves."""
 
@@ -16,11 +16,11 @@ from program import Arenite, checkpoints, expect, expect_same_run, finish, step_
 
 
 def stops_in_every_stage(folder: Path) -> list[float]:
-    """Times in the middle of the run's stages, no multiples of anything: s."""
+    """Three times in each of the run's stages, no multiples of anything: s."""
     times, start = [], 0.0
     for stage in json.loads((folder / "summary.json").read_text())["stages"]:
         step = stage["values"]["time_step_s"]
-        for share in (0.37, 0.71):
+        for share in (0.13, 0.37, 0.71):
             times.append(start + (int(share * stage["steps"] / 100) * 100 + 43 - 0.5) * step)
         start += stage["simulated_time"]
     return times

@@ -33,6 +33,9 @@ expect 0 "Arenite" "$program" info
 expect 2 "" "$program"
 expect 2 "none.toml" "$program" run "$work/none.toml"
 expect 2 "nothing" "$program" verify nothing
+# H18: of several ranks each would write over the others' files.
+expect 2 "one of 2 MPI ranks" env OMPI_COMM_WORLD_SIZE=2 "$program" run "$scenes/collision.toml" -o "$work/ranks"
+[ ! -e "$work/ranks" ] || fault "a rank of several left a folder"
 
 sed 's/friction = 0.2/frction = 0.2/; s/youngs_modulus = .*/youngs_modulus = "stiff"/' "$scenes/pull_test.toml" >"$work/bad.toml"
 expect 2 "did you mean friction" "$program" run "$work/bad.toml" -o "$work/bad"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Hard cases of grains (H1-H4, H10, H11, H13-H15): each ends sound, or stops with one message that says who, when and why.
+// Hard cases of grains (H1-H4, H10, H11, H13-H16): each ends sound, or stops with one message that says who, when and why.
 #include "core/random.hpp"
 #include "tests/stability/hard_scene.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <sstream>
-
 
 namespace {
 
@@ -103,7 +102,9 @@ TEST(Stability, FastPlateIntoABondedBlock)
         double const momentum = number(run.end(), "momentum_z");
         EXPECT_LT(momentum, 0);
         EXPECT_NEAR(-impulse / momentum, 1, 1e-9); // force_plate is on the plate
-        if (speed > 9) EXPECT_LT(number(run.end(), "bonds"), number(run.history.front(), "bonds"));
+        if (speed > 9) {
+            EXPECT_LT(number(run.end(), "bonds"), number(run.history.front(), "bonds"));
+        }
     }
 }
 
@@ -209,6 +210,50 @@ TEST(Stability, HardlyAnyGrains)
     EXPECT_EQ(number(bond.end(), "bonds"), 1);
     HardRun const none = run_hard(box_of(0.01, false) + rest, "x, y, z, diameter\n");
     EXPECT_TRUE(none.exit_code == 0 || none.messages.find("grains.csv") != std::string::npos) << none.messages;
+}
+
+// H16: a pair that slides on each other while it crosses faces of a periodic box, upwards and downwards along two axes at
+// once, moves as it does in the middle of an open box.
+TEST(Stability, SlidingPairAcrossPeriodicFaces)
+{
+    double const edge = 1e-3;
+    auto const pair_of = [&](double start, double speed, bool periodic) {
+        std::ostringstream csv;
+        csv.precision(17);
+        csv << "x, y, z, diameter, vx, vy, vz, wx, wy, wz, id\n"
+            << start << ", " << start << ", 0.5e-3, 0.23e-3, " << speed << ", " << speed + 0.1 << ", 0.02, 0, 0, 300, 0\n"
+            << start + 0.2301e-3 << ", " << start << ", 0.51e-3, 0.23e-3, " << speed - 0.1 << ", " << speed
+            << ", 0, 0, 100, 0, 1\n";
+        std::string const open_box = "[domain]\nlower = [-0.01, -0.01, -0.01]\nupper = [0.01, 0.01, 0.01]\n";
+        return run_hard((periodic ? box_of(edge, true) : open_box) +
+                            "[materials.sand]\ndensity = 2605\nyoungs_modulus = 1e7\npoissons_ratio = 0.3\n"
+                            "restitution = 0.8\nfriction = 0.2\n" + grains_from_file +
+                            stage_of("1e-4", "time_step = 5e-8", "law = \"hertz\"") + balanced +
+                            "history_interval = 1e-6\nprobes = [{name = \"a\", grain = 0}, {name = \"b\", grain = 1}]\n",
+                        csv.str());
+    };
+    for (double const speed : {5., -5.}) {
+        SCOPED_TRACE(speed);
+        double const start = speed > 0 ? 0.6e-3 : 0.2e-3; // the contact lasts 6e-5 s, 0.3 mm
+        HardRun const wrapped = pair_of(start, speed, true), open = pair_of(start, speed, false);
+        expect_sound(wrapped, 1e-3);
+        EXPECT_GT(number(open.end(), "loss_tangential"), 0);
+        for (char const* name : {"probe-a.csv", "probe-b.csv"}) {
+            auto const inside = read_table(wrapped.folder / "out" / name), outside = read_table(open.folder / "out" / name);
+            ASSERT_EQ(inside.size(), outside.size());
+            ASSERT_GT(inside.size(), 90u);
+            EXPECT_GT(std::fabs(number(inside.back(), "x") - number(outside.back(), "x")), edge / 2) << "it did not cross";
+            EXPECT_GT(std::fabs(number(inside.back(), "y") - number(outside.back(), "y")), edge / 2) << "it did not cross";
+            for (std::size_t n = 0; n < inside.size(); ++n) {
+                for (char const* axis : {"x", "y", "z"})
+                    EXPECT_NEAR(std::remainder(number(inside[n], axis) - number(outside[n], axis), edge), 0, 1e-12 * edge);
+                for (char const* velocity : {"vx", "vy", "vz"})
+                    EXPECT_NEAR(number(inside[n], velocity), number(outside[n], velocity), 1e-12 * 5);
+                for (char const* spin : {"wx", "wy", "wz"})
+                    EXPECT_NEAR(number(inside[n], spin), number(outside[n], spin), 1e-12 * 5e3);
+            }
+        }
+    }
 }
 
 } // namespace

@@ -88,7 +88,9 @@ inline void expect_sound(HardRun const& run, double balance)
     double largest = 0;
     for (Row const& row : run.history) {
         for (auto const& [name, cell] : row)
-            if (name != "stage" && !cell.empty()) EXPECT_TRUE(std::isfinite(std::stod(cell))) << name << " at step " << row.at("step");
+            if (name != "stage" && !cell.empty()) {
+                EXPECT_TRUE(std::isfinite(std::stod(cell))) << name << " at step " << row.at("step");
+            }
         EXPECT_EQ(number(row, "grains") + number(row, "produced_count"), grains) << "at step " << row.at("step");
         largest = std::fmax(largest, energies_and_turnover(row));
         EXPECT_LE(std::fabs(number(row, "energy_residual")), balance * largest) << "at step " << row.at("step");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""kill_and_resume.py PROGRAM SCENE SEED: a run of all stages that is killed (SIGKILL) at 20 moments and resumed each time ends as
+"""kill_and_resume.py PROGRAM SCENE SEED: a run of all stages that is killed (SIGKILL) at 20 random moments and resumed each time ends as
 the one that was left alone: the tables and the states at the ends of stages to the bit. After each kill what is there is whole."""
 
 import json
