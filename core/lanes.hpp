@@ -162,6 +162,17 @@ KOKKOS_FORCEINLINE_FUNCTION Quad load_quad(Real const* from)
 #endif
 }
 
+/// -quad where odd is 1, quad where it is 0.
+KOKKOS_FORCEINLINE_FUNCTION Quad negated_if(int odd, Quad const& quad)
+{
+#ifdef ARENITE_HOST_LANES
+    using Bits __attribute__((vector_size(32))) = std::int64_t;
+    return Quad(Bits(quad) ^ ((Bits{} + odd) << 63));
+#else
+    return Real(1 - 2 * odd) * quad;
+#endif
+}
+
 KOKKOS_FORCEINLINE_FUNCTION Vec3 xyz_of(Quad const& quad) { return {quad[0], quad[1], quad[2]}; }
 
 /// A record of four numbers in every lane.
@@ -179,9 +190,9 @@ namespace lanes_detail {
 
 using Octet __attribute__((vector_size(64))) = Real;
 
-[[gnu::always_inline]] inline LaneRecords load_eight(Real const* records, int const* rows)
+/// quad(n): lane n's record.
+template <class Quads> [[gnu::always_inline]] inline LaneRecords turn_eight(Quads const& quad)
 {
-    auto const quad = [&](int n) { return load_quad(records + 4 * static_cast<std::ptrdiff_t>(rows[n])); };
     Octet row[4]; // of lanes n and n + 4
     for (int n = 0; n < 4; ++n) row[n] = __builtin_shufflevector(quad(n), quad(n + 4), 0, 1, 2, 3, 4, 5, 6, 7);
     Octet const xz01 = __builtin_shufflevector(row[0], row[1], 0, 8, 2, 10, 4, 12, 6, 14);
@@ -194,7 +205,8 @@ using Octet __attribute__((vector_size(64))) = Real;
             Lanes(__builtin_shufflevector(yw01, yw23, 2, 3, 10, 11, 6, 7, 14, 15))};
 }
 
-[[gnu::always_inline]] inline void store_eight(LaneRecords const& records, Real* to, int stride)
+/// Lane n's record to place(n).
+template <class Places> [[gnu::always_inline]] inline void store_eight(LaneRecords const& records, Places const& place)
 {
     auto const x = static_cast<Octet>(records.xyz.x), y = static_cast<Octet>(records.xyz.y), z = static_cast<Octet>(records.xyz.z),
                w = static_cast<Octet>(records.w);
@@ -206,19 +218,31 @@ using Octet __attribute__((vector_size(64))) = Real;
                           __builtin_shufflevector(xy1, zw1, 2, 3, 10, 11, 6, 7, 14, 15)};
     for (int n = 0; n < 4; ++n) {
         Quad const low = __builtin_shufflevector(row[n], row[n], 0, 1, 2, 3), high = __builtin_shufflevector(row[n], row[n], 4, 5, 6, 7);
-        std::memcpy(to + n * stride, &low, sizeof low);
-        std::memcpy(to + (n + 4) * stride, &high, sizeof high);
+        std::memcpy(place(n), &low, sizeof low);
+        std::memcpy(place(n + 4), &high, sizeof high);
     }
 }
 
 } // namespace lanes_detail
 #endif
 
+/// Record `quads[n]` in lane n.
+KOKKOS_FORCEINLINE_FUNCTION LaneRecords lanes_of(Quad const (&quads)[lane_count])
+{
+#ifdef ARENITE_EIGHT_LANES
+    return lanes_detail::turn_eight([&](int n) { return quads[n]; });
+#else
+    Lanes part[4];
+    for (int k = 0; k < 4; ++k) part[k] = make_lanes([&](int n) { return quads[n][k]; });
+    return {{part[0], part[1], part[2]}, part[3]};
+#endif
+}
+
 /// Record `rows[n]` of four numbers each in lane n.
 KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int const* rows)
 {
 #ifdef ARENITE_EIGHT_LANES
-    return lanes_detail::load_eight(records, rows);
+    return lanes_detail::turn_eight([&](int n) { return load_quad(records + 4 * static_cast<std::ptrdiff_t>(rows[n])); });
 #else
     Lanes part[4];
     for (int k = 0; k < 4; ++k) part[k] = make_lanes([&](int n) { return records[4 * static_cast<std::ptrdiff_t>(rows[n]) + k]; });
@@ -226,19 +250,32 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int co
 #endif
 }
 
+/// Lane n's record to place(n).
+template <class Places> KOKKOS_FORCEINLINE_FUNCTION void store_records_at(LaneRecords const& records, Places const& place)
+{
+#ifdef ARENITE_EIGHT_LANES
+    lanes_detail::store_eight(records, place);
+#else
+    for (int n = 0; n < lane_count; ++n) {
+        Real* const to = place(n);
+        to[0] = lane(records.xyz.x, n);
+        to[1] = lane(records.xyz.y, n);
+        to[2] = lane(records.xyz.z, n);
+        to[3] = lane(records.w, n);
+    }
+#endif
+}
+
 /// Lane n's record to `to + n * stride`.
 KOKKOS_FORCEINLINE_FUNCTION void store_records(LaneRecords const& records, Real* to, int stride)
 {
-#ifdef ARENITE_EIGHT_LANES
-    lanes_detail::store_eight(records, to, stride);
-#else
-    for (int n = 0; n < lane_count; ++n) {
-        to[n * stride] = lane(records.xyz.x, n);
-        to[n * stride + 1] = lane(records.xyz.y, n);
-        to[n * stride + 2] = lane(records.xyz.z, n);
-        to[n * stride + 3] = lane(records.w, n);
-    }
-#endif
+    store_records_at(records, [&](int n) { return to + n * stride; });
+}
+
+/// Lane n's record to record `rows[n]`.
+KOKKOS_FORCEINLINE_FUNCTION void store_records(LaneRecords const& records, Real* to, int const* rows)
+{
+    store_records_at(records, [&](int n) { return to + 4 * static_cast<std::ptrdiff_t>(rows[n]); });
 }
 
 } // namespace arenite

@@ -6,7 +6,8 @@
 namespace arenite {
 namespace {
 
-/// What both halves of the kick need; one struct for the three kernels, so that they share every expression.
+/// What both halves of the kick need; one struct for the three kernels, so that they share every expression. A kernel takes
+/// lane_count grains at a time.
 struct GrainStep {
     StepSettings settings;
     Real half_dt;
@@ -19,18 +20,50 @@ struct GrainStep {
     StepGate gate;
     bool has_walls, has_applied, has_fluid;
 
-    KOKKOS_FUNCTION Real const* row_of(int entry) const { return contacts.force.data() + 8 * static_cast<std::ptrdiff_t>(entry >> 1); }
+    using Numbers = Vector<Lanes>;
 
-    KOKKOS_FUNCTION void gather(int i, Vec3& force, Vec3& torque) const
+    /// Force and torque of the grains in the lanes.
+    struct Load {
+        Numbers force, torque;
+    };
+
+    /// The grains of a block. Beyond the last one it names the last again: that lane computes and stores the same.
+    struct Rows {
+        int row[lane_count];
+
+        KOKKOS_FORCEINLINE_FUNCTION Rows(int block, int count)
+        {
+            for (int n = 0; n < lane_count; ++n) row[n] = block * lane_count + n < count ? block * lane_count + n : count - 1;
+        }
+    };
+
+    KOKKOS_FORCEINLINE_FUNCTION static LaneRecords read(RecordView const& view, Rows const& rows)
     {
-        Quad forces{}, torques{}; // their fourth number is no force
-        for (int k = contacts.incident_begin(i); k < contacts.incident_begin(i + 1); ++k) {
-            prefetch(row_of(contacts.incident(k + incident_ahead)));
+        return load_records(view.data(), rows.row);
+    }
+    KOKKOS_FORCEINLINE_FUNCTION static void write(LaneRecords const& records, RecordView const& view, Rows const& rows)
+    {
+        store_records(records, view.data(), rows.row);
+    }
+
+    /// The half of a contact's row that is the grain's: entry 2 c + 1 has the second one, with its arm at the end.
+    KOKKOS_FORCEINLINE_FUNCTION Real const* half_row(int entry) const
+    {
+        return contacts.force.data() + 4 * static_cast<std::ptrdiff_t>(entry);
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION void gather(int i, Quad& force, Quad& torque) const
+    {
+        Quad forces{}, torques{}; // in registers until the grain is done; their fourth number is no force
+        int const end = contacts.incident_begin(i + 1);
+        for (int k = contacts.incident_begin(i); k < end; ++k) {
+            prefetch(half_row(contacts.incident(k + incident_ahead)));
             // Without a branch: rows that do not touch are zero.
             int const entry = contacts.incident(k), second = entry & 1;
-            Real const* const row = row_of(entry);
-            forces += Real(1 - 2 * second) * load_quad(row);
-            torques -= row[3 + 4 * second] * load_quad(row + 4); // (-arm n) x F on both sides
+            Real const* const half = half_row(entry);
+            Real const* const row = half - 4 * second;
+            forces += negated_if(second, load_quad(row));
+            torques -= half[3] * load_quad(row + 4); // (-arm n) x F on both sides
         }
         if (has_walls)
             for (int k = walls.begin(i); k < walls.begin(i + 1); ++k) {
@@ -38,57 +71,72 @@ struct GrainStep {
                 forces += load_quad(row);
                 torques -= row[3] * load_quad(row + 4);
             }
-        force = xyz_of(forces);
-        torque = xyz_of(torques);
+        force = forces;
+        torque = torques;
     }
 
-    KOKKOS_FUNCTION Vec3 damped(Vec3 const& force, Vec3 const& velocity) const
+    KOKKOS_FORCEINLINE_FUNCTION Numbers damped(Numbers const& force, Numbers const& velocity) const
     {
-        Vec3 result;
+        Numbers result;
         for (int axis = 0; axis < 3; ++axis) {
-            Real const sign = Real(velocity[axis] > 0) - Real(velocity[axis] < 0); // no branch: signs are anybody's guess
-            result[axis] = force[axis] - settings.local_damping * Kokkos::fabs(force[axis]) * sign;
+            Lanes const damping = settings.local_damping * magnitude(force[axis]);
+            result[axis] = force[axis] - select(velocity[axis] > Lanes(0), damping,
+                                                select(velocity[axis] < Lanes(0), -damping, Lanes(0)));
         }
         return result;
     }
 
-    /// Force and torque at the grain's position.
-    KOKKOS_FUNCTION void total(int i, Vec3& force, Vec3& torque) const
+    /// Of everything that acts; velocity and spin as they are.
+    KOKKOS_FORCEINLINE_FUNCTION Load load(Rows const& rows, LaneRecords const& velocity, LaneRecords const& spin) const
     {
-        gather(i, force, torque);
-        if (has_fluid) force += vector_of(grains.fluid_force, i);
-        if (has_applied) force += vector_of(grains.applied_force, i);
-        force += grains.velocity(i, 3) * settings.gravity;
+        Quad forces[lane_count], torques[lane_count];
+        for (int n = 0; n < lane_count; ++n) gather(rows.row[n], forces[n], torques[n]);
+        Load sum{lanes_of(forces).xyz, lanes_of(torques).xyz};
+        if (has_fluid) sum.force += read(grains.fluid_force, rows).xyz;
+        if (has_applied) sum.force += read(grains.applied_force, rows).xyz;
+        for (int axis = 0; axis < 3; ++axis) sum.force[axis] += velocity.w * settings.gravity[axis];
         if (settings.local_damping > 0) {
-            force = damped(force, vector_of(grains.velocity, i));
-            torque = damped(torque, vector_of(grains.spin, i));
+            sum.force = damped(sum.force, velocity.xyz);
+            sum.torque = damped(sum.torque, spin.xyz);
         }
         // One comparison is false for NaN and for infinity.
-        if (!(dot(force, force) + dot(torque, torque) < Real(1e300)))
+        if (!all(dot(sum.force, sum.force) + dot(sum.torque, sum.torque) < Lanes(1e300)))
             Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite));
+        return sum;
     }
 
-    KOKKOS_FUNCTION void push(int i, Vec3 const& force, Vec3 const& torque) const
+    /// Lanes whose grain's motion is not `motion`.
+    KOKKOS_FORCEINLINE_FUNCTION LaneMask unlike(Rows const& rows, Motion motion) const
     {
-        if (grains.motion(i) != Motion::free) return;
-        set_vector(grains.velocity, i, vector_of(grains.velocity, i) + (half_dt / grains.velocity(i, 3)) * force);
-        set_vector(grains.spin, i, vector_of(grains.spin, i) + (half_dt / grains.spin(i, 3)) * torque);
+        int others = 0;
+        for (int n = 0; n < lane_count; ++n) others += grains.motion(rows.row[n]) != motion;
+        if (others == lane_count) return LaneMask(true);
+        if (others == 0) return LaneMask(false);
+        return make_lanes([&](int n) { return Real(grains.motion(rows.row[n]) != motion); }) > Lanes(0);
     }
 
-    KOKKOS_FUNCTION void move(int i) const
+    KOKKOS_FORCEINLINE_FUNCTION void push(LaneMask const& driven, Load const& load, LaneRecords& velocity, LaneRecords& spin) const
     {
-        if (grains.motion(i) == Motion::held) return;
-        Vec3 const here = vector_of(grains.position, i);
-        Vec3 const stretch{settings.strain_rate.x * (here.x - settings.box_lower.x),
-                           settings.strain_rate.y * (here.y - settings.box_lower.y),
-                           settings.strain_rate.z * (here.z - settings.box_lower.z)};
-        Vec3 const there = here + settings.dt * (vector_of(grains.velocity, i) + stretch);
-        set_vector(grains.position, i, there);
-        Vec3 const moved = there - vector_of(contacts.reference_position, i);
-        Real const square = dot(moved, moved);
-        if (square <= settings.allowed_move * settings.allowed_move) return;
-        if (square < Real(1e300)) close_gate();
-        else Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite)); // NaN comes here
+        velocity.xyz = select(driven, velocity.xyz, velocity.xyz + (half_dt / velocity.w) * load.force);
+        spin.xyz = select(driven, spin.xyz, spin.xyz + (half_dt / spin.w) * load.torque);
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION void move(Rows const& rows, Numbers const& velocity) const
+    {
+        LaneMask const moves = unlike(rows, Motion::held);
+        LaneRecords position = read(grains.position, rows);
+        Numbers speed = velocity;
+        for (int axis = 0; axis < 3; ++axis)
+            speed[axis] += settings.strain_rate[axis] * (position.xyz[axis] - settings.box_lower[axis]);
+        position.xyz = select(moves, position.xyz + settings.dt * speed, position.xyz);
+        write(position, grains.position, rows);
+        Numbers const moved = position.xyz - read(contacts.reference_position, rows).xyz;
+        Lanes const square = dot(moved, moved);
+        LaneMask const near = square <= Lanes(settings.allowed_move * settings.allowed_move);
+        if (all(near || !moves)) return;
+        LaneMask const somewhere = square < Lanes(1e300);
+        if (any(moves && !near && somewhere)) close_gate();
+        if (any(moves && !somewhere)) Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite)); // NaN comes here
     }
 
     KOKKOS_FUNCTION void close_gate() const
@@ -98,37 +146,49 @@ struct GrainStep {
 };
 
 struct Kick : GrainStep {
-    KOKKOS_FUNCTION void operator()(int i) const
+    KOKKOS_FUNCTION void operator()(int block) const
     {
         if (gate.closed()) return;
-        Vec3 force, torque;
-        total(i, force, torque);
-        set_vector(grains.force, i, force);
-        set_vector(grains.torque, i, torque);
-        push(i, force, torque);
+        Rows const rows(block, grains.count);
+        LaneRecords velocity = read(grains.velocity, rows), spin = read(grains.spin, rows);
+        Load const sum = load(rows, velocity, spin);
+        write({sum.force, Lanes(0)}, grains.force, rows);
+        write({sum.torque, Lanes(0)}, grains.torque, rows);
+        push(unlike(rows, Motion::free), sum, velocity, spin);
+        write(velocity, grains.velocity, rows);
+        write(spin, grains.spin, rows);
     }
 };
 
 struct Drift : GrainStep {
-    KOKKOS_FUNCTION void operator()(int i) const
+    KOKKOS_FUNCTION void operator()(int block) const
     {
         if (gate.closed()) return;
-        push(i, vector_of(grains.force, i), vector_of(grains.torque, i));
-        move(i);
+        Rows const rows(block, grains.count);
+        LaneRecords velocity = read(grains.velocity, rows), spin = read(grains.spin, rows);
+        push(unlike(rows, Motion::free), {read(grains.force, rows).xyz, read(grains.torque, rows).xyz}, velocity, spin);
+        write(velocity, grains.velocity, rows);
+        write(spin, grains.spin, rows);
+        move(rows, velocity.xyz);
     }
 };
 
 struct KickAndDrift : GrainStep {
-    KOKKOS_FUNCTION void operator()(int i) const
+    KOKKOS_FUNCTION void operator()(int block) const
     {
         if (gate.closed()) return;
-        Vec3 force, torque;
-        total(i, force, torque);
-        push(i, force, torque);
-        push(i, force, torque);
-        move(i);
+        Rows const rows(block, grains.count);
+        LaneRecords velocity = read(grains.velocity, rows), spin = read(grains.spin, rows);
+        Load const sum = load(rows, velocity, spin);
+        LaneMask const driven = unlike(rows, Motion::free);
+        for (int half = 0; half < 2; ++half) push(driven, sum, velocity, spin);
+        write(velocity, grains.velocity, rows);
+        write(spin, grains.spin, rows);
+        move(rows, velocity.xyz);
     }
 };
+
+RangePolicy blocks_of(Particles const& particles) { return {0, (particles.count + lane_count - 1) / lane_count}; }
 
 GrainStep make_step(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
                     ContactList const& contacts, WallForceRows const& walls)
@@ -158,14 +218,14 @@ Integrator::Integrator() : health("health"), stale_step(uninitialized("stale_ste
 void kick(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
           ContactList const& contacts, WallForceRows const& walls)
 {
-    Kokkos::parallel_for("kick", RangePolicy(0, particles.count),
+    Kokkos::parallel_for("kick", blocks_of(particles),
                          Kick{make_step(integrator, settings, particles, contacts, walls)});
 }
 
 void drift(Integrator& integrator, StepSettings const& settings, Particles const& particles,
            ContactList const& contacts)
 {
-    Kokkos::parallel_for("drift", RangePolicy(0, particles.count),
+    Kokkos::parallel_for("drift", blocks_of(particles),
                          Drift{make_step(integrator, settings, particles, contacts, {})});
     ++integrator.step;
 }
@@ -173,7 +233,7 @@ void drift(Integrator& integrator, StepSettings const& settings, Particles const
 void kick_and_drift(Integrator& integrator, StepSettings const& settings, Particles const& particles,
                     ContactList const& contacts, WallForceRows const& walls)
 {
-    Kokkos::parallel_for("kick_and_drift", RangePolicy(0, particles.count),
+    Kokkos::parallel_for("kick_and_drift", blocks_of(particles),
                          KickAndDrift{make_step(integrator, settings, particles, contacts, walls)});
     ++integrator.step;
 }
