@@ -5,6 +5,9 @@
 // to be sorted, or on when the list was built. (A grain that left by a periodic face is put back at the next
 // search, which rounds its position: in a periodic box the time of a search shows in the last bits.)
 //
+// Pairs that touched or all but touched when the list was built (close_share of the skin) come first, by grain; then all
+// others, by grain. So the kernel seldom meets both kinds in one block, and blocks of the second kind cost next to nothing.
+//
 // The first grain of a pair owns the row: the smaller of the two, of equal ones that with the lower id. That
 // depends on the two alone, so memory stays with its row whatever other grains come or leave. The normal
 // points from second to first.
@@ -31,6 +34,9 @@ template <int components> using ContactColumns = Kokkos::View<Real* [components]
 /// The rows beyond the last contact name grain 0 twice; their results go nowhere.
 inline constexpr int contact_block = 8;
 
+/// Pairs with a gap below this share of the skin count as close. Stretched bonds are among them: they hold to 1e-3 of a radius.
+inline constexpr Real close_share = 0.02;
+
 /// Second grains that may be read beyond the last contact: the kernel asks early for the records to come.
 inline constexpr int second_ahead = 24;
 
@@ -42,7 +48,7 @@ struct ContactList {
     ContactNeeds needs;
     bool periodic = false;
 
-    View1<int> row_begin;            // [grain + 1] contacts that grain owns
+    View1<int> row_begin;            // [2 grain + 1] contacts that grain i owns: the close ones at i, the others at grains() + i
     View1<int> first;                // [contact] rows of the two grains
     View1<int> second;               // [contact + second_ahead]
     View1<std::uint8_t> image;       // [contact] image code of second; empty in a closed box
@@ -57,7 +63,16 @@ struct ContactList {
 
     RecordView reference_position;   // [grain] where the grains were when the list was built
     Real skin = 0;                   // m: pairs closer than skin are listed
+
+    KOKKOS_FUNCTION int grains() const { return row_begin.extent_int(0) / 2; }
 };
+
+/// Calls visit(contact) for the contacts that grain i owns.
+template <class Visit> KOKKOS_FUNCTION void for_each_owned(ContactList const& list, int i, Visit const& visit)
+{
+    for (int row = i; row < 2 * list.grains(); row += list.grains())
+        for (int c = list.row_begin(row); c < list.row_begin(row + 1); ++c) visit(c);
+}
 
 /// From the second grain of a contact, or its image, to the first, m.
 KOKKOS_INLINE_FUNCTION Vec3 contact_offset(ContactList const& list, RecordView const& position, PeriodicBox const& box, int c)

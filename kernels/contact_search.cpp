@@ -285,7 +285,7 @@ LevelGrids make_grids(SearchPoints const& points, Bounds const& bounds, Real ski
 
 // ---------------------------------------------------------------- pairs
 
-/// Calls visit(point) for every point that makes a pair with grain i as its first.
+/// Calls visit(point, close) for every point that makes a pair with grain i as its first; close: 1 where it is, else 0.
 struct PairFinder {
     RecordView position;
     View1<GrainId> id;
@@ -315,8 +315,8 @@ struct PairFinder {
                         Real const other = points.position(point, 3);
                         if (other < radius || (other == radius && points.id(point) <= id(i))) continue;
                         Vec3 const d = x - vector_of(points.position, point);
-                        Real const cutoff = radius + other + skin;
-                        if (dot(d, d) < cutoff * cutoff) visit(point);
+                        Real const square = dot(d, d), cutoff = radius + other + skin, near = radius + other + close_share * skin;
+                        if (square < cutoff * cutoff) visit(point, square < near * near ? 1 : 0);
                     }
                 }
         }
@@ -328,16 +328,20 @@ int count_pairs(PairFinder const& find, int grains, View1<int> const& row_begin)
     Kokkos::parallel_for(
         "count_pairs", Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, grains),
         KOKKOS_LAMBDA(int i) {
-            int count = 0;
-            find(i, [&](int) { ++count; });
-            row_begin(i) = count;
+            int all = 0, close = 0;
+            find(i, [&](int, int is_close) {
+                ++all;
+                close += is_close;
+            });
+            row_begin(i) = close;
+            row_begin(grains + i) = all - close;
         });
     int total = 0;
     Kokkos::parallel_scan(
-        "scan_pairs", RangePolicy(0, grains + 1),
-        KOKKOS_LAMBDA(int i, int& sum, bool last) {
-            int const count = i < grains ? row_begin(i) : 0;
-            if (last) row_begin(i) = sum;
+        "scan_pairs", RangePolicy(0, 2 * grains + 1),
+        KOKKOS_LAMBDA(int row, int& sum, bool last) {
+            int const count = row < 2 * grains ? row_begin(row) : 0;
+            if (last) row_begin(row) = sum;
             sum += count;
         },
         total);
@@ -353,22 +357,22 @@ void fill_pairs(PairFinder const& find, int grains, ContactList const& contacts,
     Kokkos::parallel_for(
         "fill_pairs", Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, grains),
         KOKKOS_LAMBDA(int i) {
-            int const first = list.row_begin(i);
-            int filled = first;
-            find(i, [&](int point) { // insertion by partner id keeps the row sorted
-                int slot = filled++;
-                while (slot > first && id(point_of_contact(slot - 1)) > id(point)) {
+            int filled[2] = {list.row_begin(grains + i), list.row_begin(i)}; // of the others, of the close ones
+            int const first[2] = {filled[0], filled[1]};
+            find(i, [&](int point, int close) { // insertion by partner id keeps the row sorted
+                int slot = filled[close]++;
+                while (slot > first[close] && id(point_of_contact(slot - 1)) > id(point)) {
                     point_of_contact(slot) = point_of_contact(slot - 1);
                     --slot;
                 }
                 point_of_contact(slot) = point;
             });
-            for (int c = first; c < filled; ++c) {
+            for_each_owned(list, i, [&](int c) {
                 int const point = point_of_contact(c);
                 list.first(c) = i;
                 list.second(c) = list.periodic ? row(point) : point;
                 if (list.periodic) list.image(c) = image(point);
-            }
+            });
         });
 }
 
@@ -439,15 +443,14 @@ void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<in
         "carry_memory", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
             int const old_row = sorted_from(list.first(c));
             GrainId const partner = id(list.second(c));
-            for (int k = old.row_begin(old_row); k < old.row_begin(old_row + 1); ++k) {
-                if (old_id(old.second(k)) != partner) continue;
+            for_each_owned(old, old_row, [&](int k) {
+                if (old_id(old.second(k)) != partner) return;
                 list.touching(c) = old.touching(k);
                 for (int n = 0; n < 8; ++n) list.force(c, n) = old.force(k, n);
                 if (list.needs.bonds && had_bonds) list.adhering(c) = old.adhering(k);
                 if (list.needs.history && had_history)
                     for (int n = 0; n < 4; ++n) list.spring(c, n) = old.spring(k, n);
-                return;
-            }
+            });
         });
 }
 
@@ -496,7 +499,7 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     View1<GrainId> const old_id = particles.id;
     View1<int> const order = sort_grains(particles, box, settings);
     int const grains = particles.count;
-    contacts.row_begin = View1<int>("contact_row_begin", grains + 1);
+    contacts.row_begin = View1<int>("contact_row_begin", 2 * grains + 1);
     contacts.incident_begin = View1<int>("incident_begin", grains + 1);
     contacts.reference_position = RecordView("reference_position", grains);
     if (grains == 0) return allocate_contacts(contacts);
@@ -533,7 +536,7 @@ void complete_list(Particles const& particles, ContactList& contacts)
     ContactList const list = contacts;
     Kokkos::parallel_for(
         "complete_list", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
-            for (int c = list.row_begin(i); c < list.row_begin(i + 1); ++c) list.first(c) = i;
+            for_each_owned(list, i, [&](int c) { list.first(c) = i; });
         });
     set_scales(particles, contacts);
     make_incidence(particles, contacts);
