@@ -180,7 +180,7 @@ TEST(Checkpoint, MissingForeignAndOtherVersionsAreRefused)
     EXPECT_TRUE(
         contains(message_of<InputError>([&] { CheckpointReader(folder / "foreign.h5"); }), "of another program"));
     std::string content = content_of(write_small(folder.path(), 1));
-    content.replace(content.find("format 2") + 7, 1, "99");
+    content.replace(content.find("format ") + 7, 1, "99");
     test::put(folder / "later.h5", content);
     EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "later.h5"); }), "has checkpoint format 99"));
 }
