@@ -16,7 +16,7 @@ struct LastKnown {
 };
 
 /// The skin over the smallest diameter: within these, and so that the list lasts balanced_list_age steps divided by it.
-inline constexpr Real least_relative_skin = 0.01, most_relative_skin = 0.3, balanced_list_age = 10;
+inline constexpr Real least_relative_skin = 0.01, most_relative_skin = 0.3, balanced_list_age = 20;
 
 struct StageSetup {
     PlannedStage const* planned = nullptr;
