@@ -34,8 +34,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         if (gate.closed()) return;
         int const c = block * lane_count;
         int const *const i = &list.first(c), *const j = &list.second(c);
-        if constexpr (lane_count > 1)
-            for (int n = second_ahead - lane_count; n < second_ahead; ++n) ask_for(j[n]);
+        ask_for_later(j, position, velocity, spin);
         LaneRecords const at_i = records_of(position, i), at_j = records_of(position, j);
         Numbers offset = at_i.xyz - at_j.xyz;
         if constexpr (kind != BoxKind::closed)
@@ -49,15 +48,6 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         }
         if (!any(active)) return clear(c);
         evaluate(c, i, j, offset, square_root(square), ri, rj, state);
-    }
-
-    /// Partners lie apart in memory, where the processor does not see them coming.
-    KOKKOS_FORCEINLINE_FUNCTION void ask_for(int grain) const
-    {
-        std::ptrdiff_t const record = 4 * static_cast<std::ptrdiff_t>(grain);
-        prefetch(position.data() + record);
-        prefetch(velocity.data() + record);
-        prefetch(spin.data() + record);
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void clear(int c) const

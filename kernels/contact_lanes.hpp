@@ -16,6 +16,15 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords records_of(RecordView const& view, int c
     return load_records(view.data(), grains);
 }
 
+/// Asks for what a kernel over contacts reads of the second grains some blocks ahead: partners lie apart in memory, where the
+/// processor does not see them coming. second: of the first contact of a block.
+template <class... Records> KOKKOS_FORCEINLINE_FUNCTION void ask_for_later(int const* second, Records const&... of)
+{
+    if constexpr (lane_count > 1)
+        for (int n = second_ahead - lane_count; n < second_ahead; ++n)
+            (prefetch(of.data() + 4 * static_cast<std::ptrdiff_t>(second[n])), ...);
+}
+
 /// Of the second grains' images, m; contacts c .. c + lane_count - 1 of a list in a periodic box.
 KOKKOS_FORCEINLINE_FUNCTION Vector<Lanes> image_shifts(ContactList const& list, PeriodicBox const& box, int c)
 {

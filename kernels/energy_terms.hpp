@@ -103,6 +103,7 @@ template <class Law> struct PairPower {
         LaneMask touching = load_flags(&list.touching(c));
         if (!any(touching)) return terms;
         int const *const i = &list.first(c), *const j = &list.second(c);
+        ask_for_later(j, position, velocity, spin);
         LaneRecords const at_i = records_of(position, i), at_j = records_of(position, j);
         Vector<Lanes> offset = at_i.xyz - at_j.xyz;
         if (list.periodic) offset -= image_shifts(list, box, c);
