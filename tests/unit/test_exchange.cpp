@@ -179,6 +179,7 @@ TEST(Exchange, BitsDoNotDependOnTheOrderOfRows)
     for (std::size_t g = 0; g < first.size(); ++g) EXPECT_TRUE(first[g].second == second[g].second) << first[g].first;
 }
 
+// H7: cells that are emptied in one step, by grains that leave.
 TEST(Exchange, GrainsThatLeaveOrEnterMakeNoBlow)
 {
     std::vector<Grain> const grains = random_grains(500);
@@ -199,6 +200,7 @@ TEST(Exchange, GrainsThatLeaveOrEnterMakeNoBlow)
     EXPECT_LT(report.courant, 0.05);
 }
 
+// H5 in numbers.
 TEST(Exchange, TooFullCellIsLimitedCountedAndTold)
 {
     FluidSettings fluid = settings();
