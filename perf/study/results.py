@@ -47,6 +47,16 @@ def energy_changes(run: Run) -> Row:
     return row
 
 
+def resumed_within(run: Run, name: str) -> bool:
+    """Whether the run began inside a stage: then it knows the wall time of the last part only."""
+    step, resumed = 0, run.summary.get("resumed_from_step")
+    for part in run.summary.get("stages", []):
+        first, step = step, step + part.get("steps", 0)
+        if part["name"].split("/")[0] == name and resumed is not None and first < resumed < step:
+            return True
+    return False
+
+
 def row_of(name: str, folder: pathlib.Path) -> Row | None:
     run = read_run(folder, name)
     curve = numbers.production_curve(run)
@@ -69,8 +79,10 @@ def row_of(name: str, folder: pathlib.Path) -> Row | None:
         row[f"produced_at_{1e3 * moment:g}ms_kg"] = text(float(curve.at([moment])[0])) if curve.end >= moment * (1 - 1e-6) else ""
     row |= energy_changes(run)
     for name_, label in (("compression", "pressing"), ("perforation", "perforation"), ("production", "production")):
-        row[f"wall_{label}_s"] = text(numbers.wall_time(run, name_), ".0f")
+        row[f"wall_{label}_s"] = "" if resumed_within(run, name_) else text(numbers.wall_time(run, name_), ".0f")
     row["commit"] = str(run.summary.get("versions", {}).get("commit", ""))
+    if resumed_within(run, "production"):
+        row["commit"] += f" from step {run.summary['resumed_from_step']} on"
     row["ledger_sha256"] = hashlib.sha256((folder / "produced.csv").read_bytes()).hexdigest()[:16]
     return row
 
