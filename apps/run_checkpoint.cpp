@@ -33,6 +33,7 @@ template <class State, class Function> void for_each_number(State& state, Functi
         f(std::string("box/lower_") + names[axis], state.box.lower[axis]);
         f(std::string("box/upper_") + names[axis], state.box.upper[axis]);
         f(std::string("box/strain_rate_") + names[axis], state.box.strain_rate[axis]);
+        f(std::string("box/lasting_strain_rate_") + names[axis], state.lasting_strain_rate[axis]);
     }
 }
 
@@ -180,9 +181,8 @@ void save_fluid(CheckpointWriter& out, FluidState& fluid)
 void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage const& planned, RunState& state)
 {
     Particles const held = state.particles; // forces held between fluid steps
-    bool const whole = in.has("fluid_report"); // earlier checkpoints of this format lack it and what goes with it
     std::vector<Real> const b = in.array<Real>("fluid_box");
-    bool const with_grains = whole ? in.value<int>("fluid/with_grains") != 0 : state.particles.count > 0;
+    bool const with_grains = in.value<int>("fluid/with_grains") != 0;
     prepare_fluid(scene, planned, state, KnownFluid{{{b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)}}, with_grains});
     if (held.fluid_force.is_allocated()) state.particles.fluid_force = held.fluid_force;
     if (held.coasting.is_allocated()) state.particles.coasting = held.coasting;
@@ -192,11 +192,9 @@ void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage con
         if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Real>) field = in.value<Real>("fluid/" + name);
         else if (in.has("fluid/" + name)) in.view("fluid/" + name, field);
     });
-    if (whole) {
-        std::vector<Real> const body_force = in.array<Real>("fluid_body_force"), r = in.array<Real>("fluid_report");
-        for (int axis = 0; axis < 3; ++axis) fluid.flow.body_force[axis] = body_force.at(axis);
-        fluid.report = {static_cast<int>(r.at(0)), r.at(1), r.at(2), r.at(3), r.at(4), r.at(5), r.at(6) != 0};
-    }
+    std::vector<Real> const body_force = in.array<Real>("fluid_body_force"), r = in.array<Real>("fluid_report");
+    for (int axis = 0; axis < 3; ++axis) fluid.flow.body_force[axis] = body_force.at(axis);
+    fluid.report = {static_cast<int>(r.at(0)), r.at(1), r.at(2), r.at(3), r.at(4), r.at(5), r.at(6) != 0};
     CoupledSet& coupled = fluid.exchange.coupled;
     coupled.count = in.value<int>("coupled/count");
     coupled.digest = static_cast<std::uint64_t>(in.value<std::int64_t>("coupled/digest"));
@@ -237,8 +235,6 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
     for_each_array(state, [&](std::string const& name, auto const& view) {
         if (view.is_allocated()) out.array(name, view);
     });
-    Vec3 const& lasting = state.lasting_strain_rate;
-    out.array("box/lasting_strain_rate", std::vector<Real>{lasting.x, lasting.y, lasting.z});
     out.array("particles/motion", motion_bytes(state.particles));
     if (state.energy) save_energy(out, *state.energy);
     save_groups(out, state.groups);
@@ -260,10 +256,6 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
         view = {};
         if (in.has(name)) in.view(name, view);
     });
-    if (in.has("box/lasting_strain_rate")) { // earlier checkpoints of this format lack it
-        std::vector<Real> const lasting = in.array<Real>("box/lasting_strain_rate");
-        state.lasting_strain_rate = {lasting.at(0), lasting.at(1), lasting.at(2)};
-    }
     View1<std::uint8_t> motion;
     in.view("particles/motion", motion);
     restore_motion(motion, state.particles);
