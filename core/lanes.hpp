@@ -173,8 +173,6 @@ KOKKOS_FORCEINLINE_FUNCTION Quad negated_if(int odd, Quad const& quad)
 #endif
 }
 
-KOKKOS_FORCEINLINE_FUNCTION Vec3 xyz_of(Quad const& quad) { return {quad[0], quad[1], quad[2]}; }
-
 /// A record of four numbers in every lane.
 struct LaneRecords {
     Vector<Lanes> xyz;
