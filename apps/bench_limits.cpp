@@ -62,7 +62,6 @@ double copy_bandwidth(double bytes)
 
 double multiply_add_rate()
 {
-    bool const on_host = Kokkos::SpaceAccessibility<HostSpace, MemorySpace>::accessible;
     int const items = on_host ? 100 * ExecutionSpace().concurrency() : 1 << 20;
     double const seconds = best_time("multiply_add", items, MultiplyAdd{View1<Real>("multiply_add", items)});
     return 2.0 * lane_count * MultiplyAdd::chains * MultiplyAdd::rounds * items / seconds;

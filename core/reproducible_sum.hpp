@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Sums whose bits do not depend on the number of threads: the terms are cut into chunks of a fixed size,
-// each chunk is summed in order by one work item, and the chunk sums are added in order. A floating-point
-// parallel_reduce joins per-thread partials instead and so repeats for one thread count only.
+// Sums whose bits do not depend on the number of threads: the terms are cut into parts of a fixed size, each part is summed in
+// a fixed order, and the sums of the parts are added in order. A floating-point parallel_reduce joins per-thread partials
+// instead and so repeats for one thread count only. On a host a part is a chunk that one work item goes through; on a device it
+// is a block of terms that a team of fixed size sums, since a few thousand terms must occupy more than a few threads.
 #pragma once
 
 #include "core/types.hpp"
-
-#include <type_traits>
-#include <utility>
 
 namespace arenite
 {
@@ -16,34 +14,28 @@ template <int N> using Terms = Kokkos::Array<Real, N>;
 
 /// Scratch of the sums, reused so that a sum in a time loop does not allocate.
 struct SumWorkspace {
-    View1<Real> partial, next; // [chunk * N + which]
+    View1<Real> partial;                          // [part * N + which]
+    Kokkos::View<Real*, PinnedSpace> total;       // [which], written by a device
 };
 
 namespace reproducible
 {
 
-constexpr int chunk = 256; // terms; part of the result's definition
-constexpr int lanes = 4;   // independent running sums in a chunk, to hide the latency of an addition
-constexpr bool on_host = Kokkos::SpaceAccessibility<HostSpace, MemorySpace>::accessible;
+// All of them are part of the result's definition.
+constexpr int chunk = 256;           // terms
+constexpr int lanes = 4;             // independent running sums in a chunk, to hide the latency of an addition
+constexpr int team = 256, block = 4 * team; // threads, and terms that they sum
 
-inline int chunk_count(int terms) { return (terms + chunk - 1) / chunk; }
+inline int part_count(int terms) { return on_host ? (terms + chunk - 1) / chunk : (terms + block - 1) / block; }
 
-/// Term number `which` of chunk c: neighbours in memory on a host, neighbouring work items on a device.
-KOKKOS_INLINE_FUNCTION int term_index(int c, int which, int chunks)
+template <int N, class Term> void sum_chunks(char const* label, int terms, View1<Real> const& partial, Term const& term)
 {
-    if constexpr (on_host) return c * chunk + which;
-    else return which * chunks + c;
-}
-
-template <int N, class Term> void sum_chunks(char const* label, int terms, View1<Real> partial, Term const& term)
-{
-    int const chunks = chunk_count(terms);
     Kokkos::parallel_for(
-        label, RangePolicy(0, chunks), KOKKOS_LAMBDA(int c) {
+        label, RangePolicy(0, part_count(terms)), KOKKOS_LAMBDA(int c) {
             Real sum[lanes][N] = {};
             for (int which = 0; which < chunk; which += lanes) {
                 for (int lane = 0; lane < lanes; ++lane) {
-                    int const i = term_index(c, which + lane, chunks);
+                    int const i = c * chunk + which + lane;
                     if (i >= terms) continue;
                     Terms<N> const value = term(i);
                     for (int n = 0; n < N; ++n) sum[lane][n] += value[n];
@@ -53,7 +45,26 @@ template <int N, class Term> void sum_chunks(char const* label, int terms, View1
         });
 }
 
-template <int N> struct PartialTerm { // a chunk sum as a term of the next round
+/// `parts` teams sum `span` terms each.
+template <int N, class Term>
+void sum_blocks(char const* label, int terms, int parts, int span, Real* partial, Term const& term)
+{
+    Kokkos::parallel_for(
+        label, TeamPolicy(parts, team), KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
+            int const part = member.league_rank(), end = Kokkos::min(terms, (part + 1) * span);
+            Real sum[N] = {};
+            for (int i = part * span + member.team_rank(); i < end; i += team) {
+                Terms<N> const value = term(i);
+                for (int n = 0; n < N; ++n) sum[n] += value[n];
+            }
+            for (int n = 0; n < N; ++n) {
+                member.team_reduce(Kokkos::Sum<Real>(sum[n]));
+                if (member.team_rank() == 0) partial[part * N + n] = sum[n];
+            }
+        });
+}
+
+template <int N> struct PartialTerm { // the sum of a part as a term of the next round
     View1<Real> partial;
     KOKKOS_FUNCTION Terms<N> operator()(int i) const
     {
@@ -63,37 +74,36 @@ template <int N> struct PartialTerm { // a chunk sum as a term of the next round
     }
 };
 
-inline void reserve(SumWorkspace& workspace, int size)
+template <int N> void reserve(SumWorkspace& workspace, int parts)
 {
-    if (workspace.partial.extent_int(0) >= size) return;
-    workspace.partial = View1<Real>("sum_partial", size);
-    workspace.next = View1<Real>("sum_next", size);
+    if (workspace.partial.extent_int(0) < parts * N) workspace.partial = View1<Real>(uninitialized("sum_partial"), parts * N);
+    if (!on_host && workspace.total.extent_int(0) < N)
+        workspace.total = Kokkos::View<Real*, PinnedSpace>(uninitialized("sum_total"), N);
 }
 
 } // namespace reproducible
 
 /// N sums at once over i = 0 .. count - 1 of term(i), a device functor that returns Terms<N>. On the host
-/// when it returns: one synchronisation and, on a device, one copy of N numbers.
+/// when it returns: one synchronisation.
 template <int N, class Term>
 Terms<N> reproducible_sums(SumWorkspace& workspace, char const* label, int count, Term const& term)
 {
     Terms<N> total{};
     if (count <= 0) return total;
-    int chunks = reproducible::chunk_count(count);
-    reproducible::reserve(workspace, chunks * N);
-    reproducible::sum_chunks<N>(label, count, workspace.partial, term);
-    if constexpr (reproducible::on_host) {
+    int const parts = reproducible::part_count(count);
+    reproducible::reserve<N>(workspace, parts);
+    if constexpr (on_host) {
+        reproducible::sum_chunks<N>(label, count, workspace.partial, term);
         ExecutionSpace().fence(label);
-        for (int c = 0; c < chunks; ++c)
+        for (int c = 0; c < parts; ++c)
             for (int n = 0; n < N; ++n) total[n] += workspace.partial(c * N + n);
     } else {
-        while (chunks > 1) {
-            reproducible::sum_chunks<N>(label, chunks, workspace.next, reproducible::PartialTerm<N>{workspace.partial});
-            std::swap(workspace.partial, workspace.next);
-            chunks = reproducible::chunk_count(chunks);
-        }
-        Kokkos::View<Real*, HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> result(total.data(), N);
-        Kokkos::deep_copy(result, Kokkos::subview(workspace.partial, std::make_pair(0, N)));
+        Real* const to_host = workspace.total.data();
+        reproducible::sum_blocks<N>(label, count, parts, reproducible::block, parts > 1 ? workspace.partial.data() : to_host, term);
+        if (parts > 1)
+            reproducible::sum_blocks<N>(label, parts, 1, parts, to_host, reproducible::PartialTerm<N>{workspace.partial});
+        ExecutionSpace().fence(label);
+        for (int n = 0; n < N; ++n) total[n] = to_host[n];
     }
     return total;
 }

@@ -22,7 +22,9 @@ using PinnedSpace = Kokkos::SharedHostPinnedSpace; // the host's memory, which t
 /// constant memory, and then the host waits there until the kernel before has ended.
 using RangePolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>,
                                         Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
-using TeamPolicy = Kokkos::TeamPolicy<ExecutionSpace>;
+using TeamPolicy = Kokkos::TeamPolicy<ExecutionSpace, Kokkos::IndexType<int>,
+                                      Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
+inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemorySpace>::accessible;
 
 template <class T> using View1 = Kokkos::View<T*, MemorySpace>;
 

@@ -159,26 +159,66 @@ template <int components> struct RowSum {
     }
 };
 
-template <int components>
-KOKKOS_FUNCTION void sum_part(GrainWeights const& weights, Part const& part, TableView const& quantity, Real* partial)
-{
-    constexpr int rows = DepositStencil::rows_at_once, numbers = DepositStencil::group * components;
-    DepositStencil const& stencil = weights.stencil;
-    if (part.sz < 0) return;
-    RowSum<components> sum[rows];
-    int const block = part.sx + stencil.starts[0] * (part.sy + stencil.starts[1] * part.sz);
-    int const first = weights.begin(block), last = weights.begin(block + 1);
-    std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
-    Real const* w = weights.weight.data() + first * stride;
-    Real const* values = &quantity(first, 0);
-    int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
-    for (int entry = first; entry < last; ++entry, w += stride, values += components)
-        for (int r = 0; r < rows; ++r) sum[r].add(w[y + r] * w[z], w + x, values);
-    for (int r = 0; r < rows && part.first_b + r < stencil.slots[1]; ++r) {
-        int const b = part.first_b + r, row = stencil.cell(1, part.sy, b) + stencil.grid.cells[1] * part.plane;
-        Real* const to = partial + numbers * piece_number(stencil, row, b, part.c, part.sx, part.group);
-        for (int n = 0; n < numbers; ++n) to[n] = sum[r].sum[n / 4][n % 4];
+/// A part of the deposit: sums of rows_at_once rows over the grains of its block.
+template <int components> struct PartSum {
+    static constexpr int rows = DepositStencil::rows_at_once, numbers = DepositStencil::group * components;
+    RowSum<components> row[rows];
+
+    /// Over every `stride`-th of the block's entries, from number `start` on.
+    KOKKOS_FORCEINLINE_FUNCTION void add_entries(GrainWeights const& weights, Part const& part, TableView const& quantity, int start,
+                                                 int stride)
+    {
+        DepositStencil const& stencil = weights.stencil;
+        int const block = part.sx + stencil.starts[0] * (part.sy + stencil.starts[1] * part.sz);
+        int const first = weights.begin(block) + start, last = weights.begin(block + 1);
+        std::ptrdiff_t const columns = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
+        Real const* w = weights.weight.data() + first * columns;
+        Real const* values = quantity.data() + static_cast<std::ptrdiff_t>(first) * components;
+        int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
+        for (int entry = first; entry < last; entry += stride, w += stride * columns, values += stride * components)
+            for (int r = 0; r < rows; ++r) row[r].add(w[y + r] * w[z], w + x, values);
     }
+
+    KOKKOS_FORCEINLINE_FUNCTION void write(DepositStencil const& stencil, Part const& part, Real* partial) const
+    {
+        for (int r = 0; r < rows && part.first_b + r < stencil.slots[1]; ++r) {
+            int const b = part.first_b + r, target = stencil.cell(1, part.sy, b) + stencil.grid.cells[1] * part.plane;
+            Real* const to = partial + numbers * piece_number(stencil, target, b, part.c, part.sx, part.group);
+            for (int n = 0; n < numbers; ++n) to[n] = row[r].sum[n / 4][n % 4];
+        }
+    }
+};
+
+/// The pieces of all parts, a part a work item.
+template <int components>
+void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts, View1<Real> const& partial)
+{
+    Kokkos::parallel_for(
+        "deposit_parts", RangePolicy(0, parts), KOKKOS_LAMBDA(int number) {
+            Part const part = part_of(weights.stencil, number, first_plane);
+            if (part.sz < 0) return;
+            PartSum<components> sum;
+            sum.add_entries(weights, part, quantity, 0, 1);
+            sum.write(weights.stencil, part, partial.data());
+        });
+}
+
+/// The same, a part a warp: for a device, on which a few thousand parts of hundreds of grains would leave most threads idle.
+template <int components>
+void sum_parts_by_warps(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts, View1<Real> const& partial)
+{
+    constexpr int warp = 32; // part of the result's definition
+    Kokkos::parallel_for(
+        "deposit_parts", TeamPolicy(parts, warp), KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
+            Part const part = part_of(weights.stencil, member.league_rank(), first_plane);
+            if (part.sz < 0) return;
+            PartSum<components> sum;
+            sum.add_entries(weights, part, quantity, member.team_rank(), warp);
+            for (RowSum<components>& row : sum.row)
+                for (int n = 0; n < PartSum<components>::numbers; ++n)
+                    member.team_reduce(Kokkos::Sum<Real>(row.sum[n / 4].number[n % 4]));
+            if (member.team_rank() == 0) sum.write(weights.stencil, part, partial.data());
+        });
 }
 
 /// A cell's sum of its pieces, in the order of (c, b, slot of x).
@@ -212,10 +252,8 @@ template <int components> void deposit_planes(GrainWeights const& weights, Table
     DepositStencil const stencil = weights.stencil;
     int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
     int const parts = planes * stencil.slots[2] * stencil.row_groups * stencil.starts[1] * stencil.starts[0] * stencil.groups;
-    Kokkos::parallel_for(
-        "deposit_parts", RangePolicy(0, parts), KOKKOS_LAMBDA(int number) {
-            sum_part<components>(weights, part_of(stencil, number, first_plane), quantity, partial.data());
-        });
+    if constexpr (on_host) sum_parts<components>(weights, quantity, first_plane, parts, partial);
+    else sum_parts_by_warps<components>(weights, quantity, first_plane, parts, partial);
     Kokkos::parallel_for(
         "add_deposit_pieces", RangePolicy(0, ny * planes * nx), KOKKOS_LAMBDA(int target) {
             Real total[components];

@@ -62,14 +62,14 @@ struct GrainStep {
             int const entry = contacts.incident(k), second = entry & 1;
             Real const* const half = half_row(entry);
             Real const* const row = half - 4 * second;
-            forces += negated_if(second, load_quad(row));
-            torques -= half[3] * load_quad(row + 4); // (-arm n) x F on both sides
+            forces += negated_if(second, load_record(row));
+            torques -= half[3] * load_record(row + 4); // (-arm n) x F on both sides
         }
         if (has_walls)
             for (int k = walls.begin(i); k < walls.begin(i + 1); ++k) {
                 Real const* const row = &walls.force(walls.contact(k), 0);
-                forces += load_quad(row);
-                torques -= row[3] * load_quad(row + 4);
+                forces += load_record(row);
+                torques -= row[3] * load_record(row + 4);
             }
         force = forces;
         torque = torques;

@@ -39,7 +39,7 @@ TEST(ReproducibleSum, IsAccurateForEveryLength)
 // The definition: four lanes within a chunk of 256, chunks in order. Holds for any number of threads.
 TEST(ReproducibleSum, IsTheDefinedOrderOnAHost)
 {
-    if (!reproducible::on_host) GTEST_SKIP();
+    if (!on_host) GTEST_SKIP();
     int const count = 1000;
     View1<Real> const terms = make_terms(count);
     auto const host = Kokkos::create_mirror_view(terms);
