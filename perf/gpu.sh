@@ -67,16 +67,17 @@ head_of() {
 }
 
 say "Grains"
-head_of grains.csv "law,grains,steps,particle_steps_per_s,least,most,searches,contacts_per_grain,state_hash"
+head_of grains.csv "law,grains,steps,particle_steps_per_s,least,most,contacts_per_grain,bytes_per_particle_step,share_of_copy,share_of_copy_beyond_caches,memory_bytes_per_grain,one_search_s,state_hash"
 for law in jkr hertz; do
     for grains in ${ARENITE_GRAINS:-34000 270000 1000000 8000000}; do
         steps=$((500000000 / grains))
         steps=$((steps < 50 ? 50 : steps > 2000 ? 2000 : steps))
-        lines=$(run "$grains grains, $law" "$arenite" bench --grains "$grains" --law "$law" --steps "$steps" --repeats 3) || continue
+        lines=$(run "$grains grains, $law" "$arenite" bench --grains "$grains" --law "$law" --steps "$steps" --repeats 3 --limits) || continue
         speeds=$(field particle_steps_per_s <<<"$lines" | sort -g)
         last=$(tail -n 1 <<<"$lines")
         echo "$law,$(field grains <<<"$last"),$steps,$(sed -n 2p <<<"$speeds"),$(sed -n 1p <<<"$speeds"),$(sed -n 3p <<<"$speeds")$(
-            for name in searches contacts_per_grain state_hash; do printf ',%s' "$(field $name <<<"$last")"; done)" | tee -a "$results/grains.csv"
+            for name in contacts_per_grain bytes_per_particle_step share_of_copy share_of_copy_beyond_caches memory_bytes_per_grain \
+                one_search_s state_hash; do printf ',%s' "$(field $name <<<"$last")"; done)" | tee -a "$results/grains.csv"
     done
 done
 

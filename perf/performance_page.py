@@ -179,6 +179,31 @@ def others(tables: Tables) -> str:
     return "\n".join(parts)
 
 
+def gpus(own: str) -> str:
+    """A part for every card that perf/gpu.sh left tables of."""
+    parts = []
+    for folder in sorted((measure.ROOT / "perf/results").iterdir()):
+        if folder.name == own or not (folder / "grains.csv").exists():
+            continue
+        parts.append(f"### {folder.name}\n")
+        for name in ("grains", "fluid", "coupling"):
+            if not (folder / f"{name}.csv").exists():
+                continue
+            comments, rows = measure.read_table(folder / f"{name}.csv")
+            shown = [column for column in rows[0] if column not in ("state_hash", "backend", "concurrency")]
+            body = [[f"{float(row[c]):.4g}" if is_decimal(row[c]) else row[c] for c in shown] for row in rows]
+            parts.append(f"{quote(comments)}\n{table([column.replace('_', ' ') for column in shown], body)}")
+    return "\n".join(parts) if parts else missing("perf/gpu.sh, where there is a GPU")
+
+
+def is_decimal(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return not text.lstrip("-").isdigit()
+
+
 def pictures(tables: Tables, machine: str) -> dict[str, str]:
     """Section to picture; none without matplotlib."""
     try:
