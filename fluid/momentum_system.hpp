@@ -161,13 +161,37 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
     return link;
 }
 
+/// Whether the row is clear of all boundaries by a cell, as most are: its weight is 1, and nothing about its links need be asked.
+KOKKOS_FORCEINLINE_FUNCTION bool is_clear(Grid const& grid, Node const& face)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        int const index = face[axis] - Grid::halo;
+        if (index < 1 || index > grid.cells[axis] - 2) return false;
+    }
+    return true;
+}
+
+/// Coefficient of both neighbours along an axis of such a row, Pa s/m2.
+KOKKOS_FORCEINLINE_FUNCTION Real clear_coefficient(MomentumSystem const& s, int component, int axis)
+{
+    Real const per_square = s.flow.viscosity / (s.flow.grid.spacing[axis] * s.flow.grid.spacing[axis]);
+    return axis == component ? Real(4) / 3 * per_square : per_square;
+}
+
 /// W mu (4/3 d2u/dx_d2 + ...) of a vector; `source` 1 with the walls' velocities, 0 for the matrix alone.
 KOKKOS_FORCEINLINE_FUNCTION Real diffusion_at_face(MomentumSystem const& s, FieldView const& u, int component,
                                                    Node const& face, Real source)
 {
     Real const here = at(u, face);
-    bool const beside = beside_wall(s.flow.grid, component, face);
     Real sum = 0;
+    if (is_clear(s.flow.grid, face)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            Real const coefficient = clear_coefficient(s, component, axis);
+            for (int by = -1; by <= 1; by += 2) sum += coefficient * (at(u, shifted(face, axis, by)) - here);
+        }
+        return sum;
+    }
+    bool const beside = beside_wall(s.flow.grid, component, face);
     for (int axis = 0; axis < 3; ++axis) {
         ViscousLink const link = viscous_link(s, component, axis, face, beside);
         for (int upper = 0; upper < 2; ++upper) {
@@ -185,6 +209,11 @@ KOKKOS_INLINE_FUNCTION Real momentum_diagonal(MomentumSystem const& s, int compo
     Real const n = mean_at_face(s.flow.porosity, component, face);
     Real sum = row_weight(s, component, face) * inertia_and_drag(s, component, face) /
                (n * open_share(s.flow.grid, s.boundary, component, face));
+    if (is_clear(s.flow.grid, face)) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (int upper = 0; upper < 2; ++upper) sum += clear_coefficient(s, component, axis);
+        return sum;
+    }
     bool const beside = beside_wall(s.flow.grid, component, face);
     for (int axis = 0; axis < 3; ++axis) {
         bool const self = s.flow.grid.periodic[axis] && s.flow.grid.cells[axis] == 1;

@@ -43,12 +43,12 @@ template <class Value> KOKKOS_INLINE_FUNCTION Real row(MultigridLevel const& lev
 }
 
 struct Stored { // a vector as a function of the cell
-    View1<Real> vector;
+    View1<Real> const& vector;
     KOKKOS_FUNCTION Real operator()(int cell) const { return vector(cell); }
 };
 
 struct FirstStep { // the first Chebyshev step from 0, made where it is read
-    View1<Real> right_hand_side, inverse_diagonal;
+    View1<Real> const &right_hand_side, &inverse_diagonal;
     KOKKOS_FUNCTION Real operator()(int cell) const { return inverse_diagonal(cell) * right_hand_side(cell) / centre; }
 };
 
@@ -61,75 +61,139 @@ KOKKOS_INLINE_FUNCTION int coarse_number(MultigridLevel const& fine, MultigridLe
 }
 
 struct Prolonged { // the smoothed vector with the coarse level's correction
-    MultigridLevel fine, coarse;
-    View1<Real> vector;
+    MultigridLevel const &fine, &coarse;
     KOKKOS_FUNCTION Real operator()(int cell) const
     {
-        return vector(cell) + coarse.solution(coarse_number(fine, coarse, cell));
+        return fine.smoothed(cell) + coarse.solution(coarse_number(fine, coarse, cell));
     }
 };
 
-void smooth_from_zero(MultigridLevel const& level, View1<Real> const& b, View1<Real> const& x)
+// The parts of the cycle for one cell. b: the level's right-hand side; x: the cycle's answer to it.
+
+KOKKOS_INLINE_FUNCTION void smooth_from_zero(MultigridLevel const& level, View1<Real> const& b, int cell)
 {
     FirstStep const first{b, level.inverse_diagonal};
-    MultigridLevel const here = level;
-    Kokkos::parallel_for(
-        "smooth_from_zero", RangePolicy(0, level.cell_count()), KOKKOS_LAMBDA(int cell) {
-            Real const residual = b(cell) - row(here, cell, first);
-            x(cell) = (1 + momentum) * first(cell) + second_step * here.inverse_diagonal(cell) * residual;
-        });
+    Real const residual = b(cell) - row(level, cell, first);
+    level.smoothed(cell) = (1 + momentum) * first(cell) + second_step * level.inverse_diagonal(cell) * residual;
 }
 
-void restrict_residual(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, View1<Real> const& b)
+KOKKOS_INLINE_FUNCTION void restrict_residual(MultigridLevel const& fine, MultigridLevel const& coarse, View1<Real> const& b,
+                                              int number)
+{
+    int first[3], end[3];
+    coarse.cell_of(number, first);
+    for (int axis = 0; axis < 3; ++axis) {
+        first[axis] *= fine.ratio[axis];
+        end[axis] = Kokkos::min(first[axis] + fine.ratio[axis], fine.cells[axis]);
+    }
+    Real sum = 0;
+    for (int k = first[2]; k < end[2]; ++k)
+        for (int j = first[1]; j < end[1]; ++j)
+            for (int i = first[0]; i < end[0]; ++i) {
+                int const cell = fine.number({i, j, k});
+                sum += b(cell) - row(fine, cell, Stored{fine.smoothed});
+            }
+    coarse.right_hand_side(number) = sum;
+}
+
+KOKKOS_INLINE_FUNCTION void prolong_and_smooth(MultigridLevel const& fine, MultigridLevel const& coarse, View1<Real> const& b,
+                                               View1<Real> const& x, int cell)
+{
+    Prolonged const start{fine, coarse};
+    Real const residual = b(cell) - row(fine, cell, start);
+    fine.correction(cell) = fine.inverse_diagonal(cell) * residual / centre;
+    x(cell) = start(cell);
+}
+
+KOKKOS_INLINE_FUNCTION void smooth_again(MultigridLevel const& level, View1<Real> const& x, int cell)
+{
+    // The residual after the first step, scaled by the diagonal, is centre * correction - D^-1 A correction.
+    Real const first = level.correction(cell);
+    Real const scaled = centre * first - level.inverse_diagonal(cell) * row(level, cell, Stored{level.correction});
+    x(cell) += (1 + momentum) * first + second_step * scaled;
+}
+
+KOKKOS_INLINE_FUNCTION void solve_coarsest(MultigridLevel const& level, View1<Real> const& b, View1<Real> const& x, int cell)
+{
+    x(cell) = level.inverse_diagonal(cell) * b(cell);
+}
+
+void descend(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, View1<Real> const& b)
 {
     MultigridLevel const fine = fine_level, coarse = coarse_level;
-    Stored const x{fine.smoothed};
     Kokkos::parallel_for(
-        "restrict_residual", RangePolicy(0, coarse.cell_count()), KOKKOS_LAMBDA(int number) {
-            int first[3], end[3];
-            coarse.cell_of(number, first);
-            for (int axis = 0; axis < 3; ++axis) {
-                first[axis] *= fine.ratio[axis];
-                end[axis] = Kokkos::min(first[axis] + fine.ratio[axis], fine.cells[axis]);
-            }
-            Real sum = 0;
-            for (int k = first[2]; k < end[2]; ++k)
-                for (int j = first[1]; j < end[1]; ++j)
-                    for (int i = first[0]; i < end[0]; ++i) {
-                        int const cell = fine.number({i, j, k});
-                        sum += b(cell) - row(fine, cell, x);
-                    }
-            coarse.right_hand_side(number) = sum;
-        });
+        "smooth_from_zero", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) { smooth_from_zero(fine, b, cell); });
+    Kokkos::parallel_for(
+        "restrict_residual", RangePolicy(0, coarse.cell_count()),
+        KOKKOS_LAMBDA(int number) { restrict_residual(fine, coarse, b, number); });
 }
 
-void prolong_and_smooth(MultigridLevel const& fine, MultigridLevel const& coarse, View1<Real> const& b,
-                        View1<Real> const& result)
+void ascend(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, View1<Real> const& b, View1<Real> const& x)
 {
-    Prolonged const start{fine, coarse, fine.smoothed};
-    MultigridLevel const here = fine;
+    MultigridLevel const fine = fine_level, coarse = coarse_level;
     Kokkos::parallel_for(
-        "prolong_and_smooth", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) {
-            Real const residual = b(cell) - row(here, cell, start);
-            here.correction(cell) = here.inverse_diagonal(cell) * residual / centre;
-            result(cell) = start(cell);
-        });
-    Stored const correction{fine.correction};
+        "prolong_and_smooth", RangePolicy(0, fine.cell_count()),
+        KOKKOS_LAMBDA(int cell) { prolong_and_smooth(fine, coarse, b, x, cell); });
     Kokkos::parallel_for(
-        "smooth_again", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) {
-            // The residual after the first step, scaled by the diagonal, is centre * correction - D^-1 A correction.
-            Real const first = correction(cell);
-            Real const scaled = centre * first - here.inverse_diagonal(cell) * row(here, cell, correction);
-            result(cell) += (1 + momentum) * first + second_step * scaled;
-        });
+        "smooth_again", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) { smooth_again(fine, x, cell); });
 }
 
-void solve_coarsest(MultigridLevel const& level, View1<Real> const& b, View1<Real> const& x)
+void solve_on_coarsest(MultigridLevel const& level_now, View1<Real> const& b, View1<Real> const& x)
 {
-    View1<Real> const inverse_diagonal = level.inverse_diagonal;
+    MultigridLevel const level = level_now;
     Kokkos::parallel_for(
-        "solve_coarsest", RangePolicy(0, level.cell_count()),
-        KOKKOS_LAMBDA(int cell) { x(cell) = inverse_diagonal(cell) * b(cell); });
+        "solve_coarsest", RangePolicy(0, level.cell_count()), KOKKOS_LAMBDA(int cell) { solve_coarsest(level, b, x, cell); });
+}
+
+/// The whole cycle over the last levels by one team of a device, with a barrier where larger levels have a launch: a launch
+/// takes as long as some thousand cells.
+struct SmallCycle {
+    static constexpr int team = 512, most_levels = 12, most_cells = 2048;
+    int levels = 0;
+    MultigridLevel level[most_levels];
+    View1<Real> b, x; // of the first of them
+
+    KOKKOS_FUNCTION View1<Real> const& right_hand_side(int l) const { return l == 0 ? b : level[l].right_hand_side; }
+    KOKKOS_FUNCTION View1<Real> const& solution(int l) const { return l == 0 ? x : level[l].solution; }
+
+    KOKKOS_FUNCTION void operator()(TeamPolicy::member_type const& member) const
+    {
+        auto const each = [&](int cells, auto const& body) {
+            for (int cell = member.team_rank(); cell < cells; cell += team) body(cell);
+            member.team_barrier();
+        };
+        int const last = levels - 1;
+        for (int l = 0; l < last; ++l) {
+            each(level[l].cell_count(), [&](int cell) { smooth_from_zero(level[l], right_hand_side(l), cell); });
+            each(level[l + 1].cell_count(), [&](int cell) { restrict_residual(level[l], level[l + 1], right_hand_side(l), cell); });
+        }
+        each(level[last].cell_count(), [&](int cell) { solve_coarsest(level[last], right_hand_side(last), solution(last), cell); });
+        for (int l = last - 1; l >= 0; --l) {
+            each(level[l].cell_count(), [&](int cell) {
+                prolong_and_smooth(level[l], level[l + 1], right_hand_side(l), solution(l), cell);
+            });
+            each(level[l].cell_count(), [&](int cell) { smooth_again(level[l], solution(l), cell); });
+        }
+    }
+};
+
+/// From which level on a device does the rest at once; on a host only the coarsest, a single cell, is left.
+std::size_t first_small_level(MultigridLevels const& levels)
+{
+    std::size_t first = levels.size() - 1;
+    if (!on_host)
+        while (first > 0 && levels[first - 1].cell_count() <= SmallCycle::most_cells && levels.size() - first < SmallCycle::most_levels)
+            --first;
+    return first;
+}
+
+void cycle_small_levels(MultigridLevels const& levels, std::size_t first, View1<Real> const& b, View1<Real> const& x)
+{
+    SmallCycle cycle;
+    for (std::size_t l = first; l < levels.size(); ++l) cycle.level[cycle.levels++] = levels[l];
+    cycle.b = b;
+    cycle.x = x;
+    Kokkos::parallel_for("multigrid_cycle", TeamPolicy(1, SmallCycle::team), cycle);
 }
 
 /// Number of fine cells of a coarse cell along an axis; 0 beyond the boundary.
@@ -235,23 +299,20 @@ void update_multigrid(MultigridLevels const& levels)
 void apply_conductances(MultigridLevel const& level_now, View1<Real> const& vector, View1<Real> const& image)
 {
     MultigridLevel const level = level_now;
-    Stored const x{vector};
     Kokkos::parallel_for(
         "apply_conductances", RangePolicy(0, level.cell_count()),
-        KOKKOS_LAMBDA(int cell) { image(cell) = row(level, cell, x); });
+        KOKKOS_LAMBDA(int cell) { image(cell) = row(level, cell, Stored{vector}); });
 }
 
 void multigrid_cycle(MultigridLevels const& levels, View1<Real> const& right_hand_side, View1<Real> const& result)
 {
-    int const coarsest = static_cast<int>(levels.size()) - 1;
-    auto const b = [&](int l) { return l == 0 ? right_hand_side : levels[l].right_hand_side; };
-    auto const x = [&](int l) { return l == 0 ? result : levels[l].solution; };
-    for (int l = 0; l < coarsest; ++l) {
-        smooth_from_zero(levels[l], b(l), levels[l].smoothed);
-        restrict_residual(levels[l], levels[l + 1], b(l));
-    }
-    solve_coarsest(levels[coarsest], b(coarsest), x(coarsest));
-    for (int l = coarsest - 1; l >= 0; --l) prolong_and_smooth(levels[l], levels[l + 1], b(l), x(l));
+    std::size_t const small = first_small_level(levels);
+    auto const b = [&](std::size_t l) { return l == 0 ? right_hand_side : levels[l].right_hand_side; };
+    auto const x = [&](std::size_t l) { return l == 0 ? result : levels[l].solution; };
+    for (std::size_t l = 0; l < small; ++l) descend(levels[l], levels[l + 1], b(l));
+    if (on_host) solve_on_coarsest(levels[small], b(small), x(small));
+    else cycle_small_levels(levels, small, b(small), x(small));
+    for (std::size_t l = small; l-- > 0;) ascend(levels[l], levels[l + 1], b(l), x(l));
 }
 
 } // namespace arenite
