@@ -3,23 +3,33 @@
 
 #include <atomic>
 #include <csignal>
+#include <ctime>
 
 namespace arenite {
 namespace {
 
-std::atomic<int> received{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may write it");
+constexpr long one_request = 1000; // ms within which signals are the same one
 
-void set_default()
+std::atomic<int> received{0};
+std::atomic<long> received_at{0}; // ms
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<long>::is_always_lock_free, "a signal handler may write them");
+
+long now() // of what a signal handler may call
 {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return 1000 * static_cast<long>(time.tv_sec) + time.tv_nsec / 1'000'000;
 }
 
 extern "C" void on_stop_signal(int signal)
 {
-    received = signal;
-    set_default();
+    if (received == 0) {
+        received_at = now();
+        received = signal;
+    } else if (now() - received_at >= one_request) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
 }
 
 } // namespace

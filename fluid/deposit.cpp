@@ -11,7 +11,7 @@ namespace arenite
 namespace
 {
 
-constexpr int grains_per_bin = on_host ? 8 : 1; // short enough for an insertion sort, by one thread of a device even at a wall
+constexpr int grains_per_bin = 8;              // short enough for an insertion sort
 constexpr long long partial_limit = 2'000'000; // reals (16 MB) of partial sums held at once
 
 /// Integral of 15/16 (1 - s^2)^2 from -1 to s, 0 and 1 beyond the support.
@@ -122,7 +122,7 @@ struct Part {
 };
 
 /// Parts are numbered group, sx, sy, group of y, c, plane.
-[[maybe_unused]] KOKKOS_FUNCTION Part part_of(DepositStencil const& stencil, int number, int first_plane)
+KOKKOS_FUNCTION Part part_of(DepositStencil const& stencil, int number, int first_plane)
 {
     Part part;
     part.group = number % stencil.groups;
@@ -159,105 +159,66 @@ template <int components> struct RowSum {
     }
 };
 
-template <int components>
-KOKKOS_FUNCTION void sum_part(GrainWeights const& weights, Part const& part, TableView const& quantity, Real* partial)
-{
-    constexpr int rows = DepositStencil::rows_at_once, numbers = DepositStencil::group * components;
-    DepositStencil const& stencil = weights.stencil;
-    if (part.sz < 0) return;
-    RowSum<components> sum[rows];
-    int const block = part.sx + stencil.starts[0] * (part.sy + stencil.starts[1] * part.sz);
-    int const first = weights.begin(block), last = weights.begin(block + 1);
-    std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
-    Real const* w = weights.weight.data() + first * stride;
-    Real const* values = quantity.data() + static_cast<std::ptrdiff_t>(first) * components;
-    int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
-    for (int entry = first; entry < last; ++entry, w += stride, values += components)
-        for (int r = 0; r < rows; ++r) sum[r].add(w[y + r] * w[z], w + x, values);
-    for (int r = 0; r < rows && part.first_b + r < stencil.slots[1]; ++r) {
-        int const b = part.first_b + r, row = stencil.cell(1, part.sy, b) + stencil.grid.cells[1] * part.plane;
-        Real* const to = partial + numbers * piece_number(stencil, row, b, part.c, part.sx, part.group);
-        for (int n = 0; n < numbers; ++n) to[n] = sum[r].sum[n / 4][n % 4];
-    }
-}
+/// A part of the deposit: sums of rows_at_once rows over the grains of its block.
+template <int components> struct PartSum {
+    static constexpr int rows = DepositStencil::rows_at_once, numbers = DepositStencil::group * components;
+    RowSum<components> row[rows];
 
-/// The pieces of some planes, a part a work item.
-template <int components>
-void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int planes, View1<Real> const& partial)
-{
-    DepositStencil const stencil = weights.stencil;
-    int const parts = planes * stencil.slots[2] * stencil.row_groups * stencil.starts[1] * stencil.starts[0] * stencil.groups;
-    Kokkos::parallel_for(
-        "deposit_parts", RangePolicy(0, parts), KOKKOS_LAMBDA(int number) {
-            sum_part<components>(weights, part_of(stencil, number, first_plane), quantity, partial.data());
-        });
-}
-
-/// The same on a device, a block of cells a team: a thread sums one cell of the block over every `slices`-th grain, so that
-/// all threads of a warp read the same grain. There are too few parts to occupy a device, and they are too long.
-template <int components> struct BlockSum {
-    static constexpr int team = 256; // threads; part of the result's definition
-    static constexpr int scratch_bytes = team * components * static_cast<int>(sizeof(Real));
-    GrainWeights weights;
-    TableView quantity;
-    View1<Real> partial;
-    int first_plane, planes;
-
-    KOKKOS_FUNCTION void operator()(TeamPolicy::member_type const& member) const
+    /// Over every `stride`-th of the block's entries, from number `start` on.
+    KOKKOS_FORCEINLINE_FUNCTION void add_entries(GrainWeights const& weights, Part const& part, TableView const& quantity, int start,
+                                                 int stride)
     {
         DepositStencil const& stencil = weights.stencil;
-        int const cells = stencil.slots[0] * stencil.slots[1] * stencil.slots[2];
-        int const width = cells < team ? cells : team, slices = team / width;
-        Real* const sums = static_cast<Real*>(member.team_shmem().get_shmem(int{scratch_bytes}));
-        int const slice = member.team_rank() / width, place = member.team_rank() % width;
-        for (int first_cell = 0; first_cell < cells; first_cell += width) {
-            int const cell = first_cell + place;
-            if (slice < slices && cell < cells) sum_cell(member.league_rank(), cell, slice, slices, sums + components * member.team_rank());
-            member.team_barrier();
-            if (slice == 0 && cell < cells) {
-                Real total[components] = {};
-                for (int other = 0; other < slices; ++other)
-                    for (int q = 0; q < components; ++q) total[q] += sums[components * (other * width + place) + q];
-                write(member.league_rank(), cell, total);
-            }
-            member.team_barrier();
+        int const block = part.sx + stencil.starts[0] * (part.sy + stencil.starts[1] * part.sz);
+        int const first = weights.begin(block) + start, last = weights.begin(block + 1);
+        std::ptrdiff_t const columns = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
+        Real const* w = weights.weight.data() + first * columns;
+        Real const* values = quantity.data() + static_cast<std::ptrdiff_t>(first) * components;
+        int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
+        for (int entry = first; entry < last; entry += stride, w += stride * columns, values += stride * components)
+            for (int r = 0; r < rows; ++r) row[r].add(w[y + r] * w[z], w + x, values);
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION void write(DepositStencil const& stencil, Part const& part, Real* partial) const
+    {
+        for (int r = 0; r < rows && part.first_b + r < stencil.slots[1]; ++r) {
+            int const b = part.first_b + r, target = stencil.cell(1, part.sy, b) + stencil.grid.cells[1] * part.plane;
+            Real* const to = partial + numbers * piece_number(stencil, target, b, part.c, part.sx, part.group);
+            for (int n = 0; n < numbers; ++n) to[n] = row[r].sum[n / 4][n % 4];
         }
-    }
-
-    KOKKOS_FUNCTION void sum_cell(int block, int cell, int slice, int slices, Real* to) const
-    {
-        DepositStencil const& stencil = weights.stencil;
-        int const a = cell % stencil.slots[0], b = cell / stencil.slots[0] % stencil.slots[1], c = cell / stencil.slots[0] / stencil.slots[1];
-        int const last = weights.begin(block + 1), y = stencil.y_slot() + b, z = stencil.z_slot() + c;
-        Real sum[components] = {};
-        for (int entry = weights.begin(block) + slice; entry < last; entry += slices) {
-            Real const w = weights.weight(entry, a) * weights.weight(entry, y) * weights.weight(entry, z);
-            for (int q = 0; q < components; ++q) sum[q] += w * quantity(entry, q);
-        }
-        for (int q = 0; q < components; ++q) to[q] = sum[q];
-    }
-
-    KOKKOS_FUNCTION void write(int block, int cell, Real const (&total)[components]) const
-    {
-        constexpr int group = DepositStencil::group;
-        DepositStencil const& stencil = weights.stencil;
-        int const a = cell % stencil.slots[0], b = cell / stencil.slots[0] % stencil.slots[1], c = cell / stencil.slots[0] / stencil.slots[1];
-        int const sx = block % stencil.starts[0], sy = block / stencil.starts[0] % stencil.starts[1],
-                  sz = block / stencil.starts[0] / stencil.starts[1];
-        int const plane = stencil.cell(2, sz, c) - first_plane;
-        if (plane < 0 || plane >= planes) return;
-        int const row = stencil.cell(1, sy, b) + stencil.grid.cells[1] * plane;
-        Real* const to = &partial(group * components * piece_number(stencil, row, b, c, sx, a / group)) + a % group * components;
-        for (int q = 0; q < components; ++q) to[q] = total[q];
     }
 };
 
+/// The pieces of all parts, a part a work item.
 template <int components>
-void sum_parts_by_teams(GrainWeights const& weights, TableView const& quantity, int first_plane, int planes, View1<Real> const& partial)
+void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts, View1<Real> const& partial)
 {
-    using Sum = BlockSum<components>;
-    TeamPolicy const blocks = TeamPolicy(weights.stencil.block_count(), Sum::team).set_scratch_size(0, Kokkos::PerTeam(Sum::scratch_bytes));
-    Kokkos::parallel_for("deposit_blocks", blocks, Sum{weights, quantity, partial, first_plane, planes});
+    Kokkos::parallel_for(
+        "deposit_parts", RangePolicy(0, parts), KOKKOS_LAMBDA(int number) {
+            Part const part = part_of(weights.stencil, number, first_plane);
+            if (part.sz < 0) return;
+            PartSum<components> sum;
+            sum.add_entries(weights, part, quantity, 0, 1);
+            sum.write(weights.stencil, part, partial.data());
+        });
+}
+
+/// The same, a part a warp: for a device, on which a few thousand parts of hundreds of grains would leave most threads idle.
+template <int components>
+void sum_parts_by_warps(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts, View1<Real> const& partial)
+{
+    constexpr int warp = 32; // part of the result's definition
+    Kokkos::parallel_for(
+        "deposit_parts", TeamPolicy(parts, warp), KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
+            Part const part = part_of(weights.stencil, member.league_rank(), first_plane);
+            if (part.sz < 0) return;
+            PartSum<components> sum;
+            sum.add_entries(weights, part, quantity, member.team_rank(), warp);
+            for (RowSum<components>& row : sum.row)
+                for (int n = 0; n < PartSum<components>::numbers; ++n)
+                    member.team_reduce(Kokkos::Sum<Real>(row.sum[n / 4].number[n % 4]));
+            if (member.team_rank() == 0) sum.write(weights.stencil, part, partial.data());
+        });
 }
 
 /// A cell's sum of its pieces, in the order of (c, b, slot of x).
@@ -290,8 +251,9 @@ template <int components> void deposit_planes(GrainWeights const& weights, Table
 {
     DepositStencil const stencil = weights.stencil;
     int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
-    if constexpr (on_host) sum_parts<components>(weights, quantity, first_plane, planes, partial);
-    else sum_parts_by_teams<components>(weights, quantity, first_plane, planes, partial);
+    int const parts = planes * stencil.slots[2] * stencil.row_groups * stencil.starts[1] * stencil.starts[0] * stencil.groups;
+    if constexpr (on_host) sum_parts<components>(weights, quantity, first_plane, parts, partial);
+    else sum_parts_by_warps<components>(weights, quantity, first_plane, parts, partial);
     Kokkos::parallel_for(
         "add_deposit_pieces", RangePolicy(0, ny * planes * nx), KOKKOS_LAMBDA(int target) {
             Real total[components];

@@ -19,7 +19,8 @@ def signalled(process, number, seconds: float) -> str:
     try:
         process.wait(seconds)
     except Exception:  # still running
-        process.send_signal(number)
+        for _ in range(2):  # timeout(1) signals the process and then its group
+            process.send_signal(number)
     out, err = process.communicate()
     return out + err
 

@@ -3,18 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 namespace arenite {
 namespace {
 
-TEST(StopSignal, TheFirstAsksTheSecondEnds)
+TEST(StopSignal, TheFirstAsksALaterOneEnds)
 {
     for (int const signal : {SIGTERM, SIGINT}) {
         StopSignals const caught;
         EXPECT_EQ(stop_signal(), 0);
         std::raise(signal);
+        std::raise(signal); // at once: the same request, as timeout(1) makes it
         EXPECT_EQ(stop_signal(), signal);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1100));
         EXPECT_EXIT(std::raise(SIGTERM), testing::KilledBySignal(SIGTERM), "");
         EXPECT_EXIT(std::raise(SIGINT), testing::KilledBySignal(SIGINT), "");
     }
