@@ -57,6 +57,14 @@ def resumed_within(run: Run, name: str) -> bool:
     return False
 
 
+def hardware(run: Run) -> str:
+    """What the run ran on, as its summary says."""
+    machine = run.summary.get("machine") or {}
+    if machine.get("gpu"):
+        return str(machine["gpu"])
+    return f"{machine.get('cpu', '')}, {machine['concurrency']} threads" if machine.get("concurrency") else str(machine.get("cpu", ""))
+
+
 def row_of(name: str, folder: pathlib.Path) -> Row | None:
     run = read_run(folder, name)
     curve = numbers.production_curve(run)
@@ -80,6 +88,7 @@ def row_of(name: str, folder: pathlib.Path) -> Row | None:
     row |= energy_changes(run)
     for name_, label in (("compression", "pressing"), ("perforation", "perforation"), ("production", "production")):
         row[f"wall_{label}_s"] = "" if resumed_within(run, name_) else text(numbers.wall_time(run, name_), ".0f")
+    row["on"] = hardware(run)
     row["commit"] = str(run.summary.get("versions", {}).get("commit", ""))
     if resumed_within(run, "production"):
         row["commit"] += f" from step {run.summary['resumed_from_step']} on"
