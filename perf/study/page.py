@@ -31,8 +31,8 @@ LARGEST = 300_000  # bytes of a figure
 PAGE, CSV, FIGURES = ROOT / "docs/study.md", ROOT / "docs/study.csv", ROOT / "docs/study"
 HEAD = """# The study: what comes out of the hole, and why
 
-Made by `perf/study/page.py` from the runs of `perf/study/run.py`; do not edit. Page: {date}, commit {commit}, {machine}, one thread a run. The
-numbers are in [study.csv](study.csv), with the commit of every run. The paper is arXiv 2211.06142; its measured points and the data behind its
+Made by `perf/study/page.py` from the runs of `perf/study/run.py`; do not edit. Page: {date}, commit {commit}, {machine}. The
+numbers are in [study.csv](study.csv), with the commit of every run and what it ran on (a CPU's runs take one thread). The paper is arXiv 2211.06142; its measured points and the data behind its
 curves are not available to us, so nothing here claims to match them.
 
     perf/study/run.py --list                  # the cases
@@ -79,9 +79,10 @@ def productions(rows: list[Row]) -> str:
                       row["produced_grains"], shown(number(row, "share_of_sample"), ".3f", 100),
                       *(shown(number(row, f"produced_at_{moment}ms_kg"), ".2f", 1e6) for moment in (3, 15)),
                       shown(number(row, "t50_s"), ".2f", 1e3), shown(number(row, "t90_s"), ".2f", 1e3),
-                      shown(bonds_lost(row, "perforated", "end"), ".0f"), shown(number(row, "wall_production_s"), ".0f")])
+                      shown(bonds_lost(row, "perforated", "end"), ".0f"), shown(number(row, "wall_production_s"), ".0f"),
+                      row.get("on", "").replace(" 80GB HBM3", "")])
     return table(["case", "what", ">simulated [ms]", ">produced [mg]", ">grains", ">of the sample [%]", ">by 3 ms [mg]", ">by 15 ms [mg]",
-                  ">t50 [ms]", ">t90 [ms]", ">bonds broken", ">wall time [s]"], lines) + "\n"
+                  ">t50 [ms]", ">t90 [ms]", ">bonds broken", ">wall time [s]", "on"], lines) + "\n"
 
 
 def energy(rows: list[Row]) -> str:

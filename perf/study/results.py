@@ -81,6 +81,7 @@ def row_of(name: str, folder: pathlib.Path) -> Row | None:
         "production_s": text(curve.end), "time_step_s": text(run.scene.production().get("time_step")),
         "produced_kg": text(curve.total), "produced_grains": text(len(run.produced)),
         "share_of_sample": text(curve.total / grain_mass if grain_mass else None),
+        "last_grain_s": text(curve.time_of_share(1.0)) if curve.total > 0 else "",
         "t50_s": text(curve.time_of_share(0.5)), "t90_s": text(curve.time_of_share(0.9)),
     }
     for moment in MOMENTS:
