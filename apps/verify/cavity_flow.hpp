@@ -20,18 +20,18 @@ struct Profile {
 };
 
 struct Cavity {
-    Profile u, v; // u over y at x = 1/2, v over x at y = 1/2
+    Profile u, v;           // u over y at x = 1/2, v over x at y = 1/2
     bool converged = false; // every solve of the last step
     Real leak = 0;          // m3/s through the walls
-    Real change = 0;        // largest of the centre lines over the last unit of time
-    Real duration = 0;      // until then, lengths over lid speeds
+    Real change = 0;        // largest of the velocities over the last unit of time
+    int duration = 0;       // until then, lengths over lid speeds
     /// u_min, v_max, v_min
     std::array<Real, 3> extrema() const;
 };
 
 /// The steady states on grids of so many cells along an axis (even numbers, each twice the one before) with the central
-/// scheme. The first starts from rest, the others from the flow of the grid before. A flow is steady when its centre lines
-/// change by less than `still` in a unit of time.
+/// scheme. The first starts from rest, the others from the flow of the grid before. A flow is steady when its
+/// velocities change by less than `still` in a unit of time.
 std::vector<Cavity> steady_cavities(Real reynolds, std::vector<int> const& cells, Real still);
 
 struct CenterLinePoint {
