@@ -2,6 +2,7 @@
 arenite_test(test_reproducible_sum unit unit/test_reproducible_sum.cpp)
 arenite_test(test_flow_boundary unit unit/test_flow_boundary.cpp LINK arenite_fluid)
 arenite_test(test_flow_balance unit unit/test_flow_balance.cpp LINK arenite_fluid)
+arenite_test(test_anderson_mixing unit unit/test_anderson_mixing.cpp LINK arenite_verify)
 arenite_test(verify_porous_fluid verification verification/verify_porous_fluid.cpp LINK arenite_fluid)
 arenite_test(converge_pressure_solver convergence convergence/converge_pressure_solver.cpp LINK arenite_verify)
 arenite_test(hash_flow determinism determinism/hash_flow.cpp LINK arenite_fluid)
