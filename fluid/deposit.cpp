@@ -173,7 +173,7 @@ template <int components> struct PartSum {
         int const first = weights.begin(block) + start, last = weights.begin(block + 1);
         std::ptrdiff_t const columns = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
         Real const* w = weights.weight.data() + first * columns;
-        Real const* values = quantity.data() + static_cast<std::ptrdiff_t>(first) * components;
+        Real const* values = quantity.data() + static_cast<std::ptrdiff_t>(first) * components; // without grains there is no row
         int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
         for (int entry = first; entry < last; entry += stride, w += stride * columns, values += stride * components)
             for (int r = 0; r < rows; ++r) row[r].add(w[y + r] * w[z], w + x, values);
