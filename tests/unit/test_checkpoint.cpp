@@ -41,7 +41,9 @@ template <class T> void expect_round_trip(std::vector<T> const& values)
     out.commit();
     auto const read = CheckpointReader(folder / "c.h5").array<T>("deep/in/a");
     ASSERT_EQ(read.size(), values.size());
-    if (!values.empty()) EXPECT_EQ(std::memcmp(read.data(), values.data(), values.size() * sizeof(T)), 0);
+    if (!values.empty()) {
+        EXPECT_EQ(std::memcmp(read.data(), values.data(), values.size() * sizeof(T)), 0);
+    }
 }
 
 TEST(Checkpoint, EveryTypeComesBackBitForBit)
@@ -206,7 +208,9 @@ TEST(Checkpoint, EveryTruncationIsRefusedAtOnce)
         fs::resize_file(path, size);
         auto const message = message_of<InputError>([&] { CheckpointReader in(path); });
         EXPECT_TRUE(contains(message, path.string())) << size;
-        if (size > 512) EXPECT_TRUE(contains(message, "the checkpoint is truncated")) << size;
+        if (size > 512) {
+            EXPECT_TRUE(contains(message, "the checkpoint is truncated")) << size;
+        }
     }
 }
 
