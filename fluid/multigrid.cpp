@@ -17,25 +17,56 @@ constexpr Real second_ratio = 1 / (2 * centre / radius - radius / centre);
 constexpr Real momentum = second_ratio * radius / centre; // of the first step's correction in the second
 constexpr Real second_step = 2 * second_ratio / radius;
 
-/// Sum over the cell's faces of conductance * (value(cell) - value(neighbour)).
-template <class Value> KOKKOS_INLINE_FUNCTION Real row(MultigridLevel const& level, int cell, Value const& value)
-{
+/// Where a cell is. A host makes it once for a line of cells: integer divisions are what these loops would spend their time on.
+struct Place {
+    int number;
     int c[3];
-    level.cell_of(cell, c);
+};
+
+KOKKOS_FORCEINLINE_FUNCTION Place place_of(MultigridLevel const& level, int number)
+{
+    Place place{number, {}};
+    level.cell_of(number, place.c);
+    return place;
+}
+
+KOKKOS_FORCEINLINE_FUNCTION Place moved(Place place, int axis, int by, int stride)
+{
+    place.c[axis] += by;
+    place.number += by * stride;
+    return place;
+}
+
+/// body(Place) for every cell of a level.
+template <class Body> void for_each_place(char const* label, MultigridLevel const& level_now, Body const& body)
+{
+    MultigridLevel const level = level_now;
+    if (on_host)
+        Kokkos::parallel_for(
+            label, RangePolicy(0, level.cells[1] * level.cells[2]), KOKKOS_LAMBDA(int line) {
+                Place place{line * level.cells[0], {0, line % level.cells[1], line / level.cells[1]}};
+                for (; place.c[0] < level.cells[0]; ++place.c[0], ++place.number) body(place);
+            });
+    else
+        Kokkos::parallel_for(
+            label, RangePolicy(0, level.cell_count()), KOKKOS_LAMBDA(int cell) { body(place_of(level, cell)); });
+}
+
+/// Sum over the cell's faces of conductance * (value(cell) - value(neighbour)).
+template <class Value>
+KOKKOS_FORCEINLINE_FUNCTION Real row(MultigridLevel const& level, Place const& cell, Value const& value)
+{
     Real const here = value(cell);
     Real sum = 0;
-    int stride = 1;
+    int stride = 1; // to the next cell, and to the next face
     for (int axis = 0; axis < 3; ++axis) {
-        int const n = level.cells[axis];
-        int f[3] = {c[0], c[1], c[2]};
-        Real const lower = level.conductance[axis](level.face_number(axis, f));
-        ++f[axis];
-        Real const upper = level.conductance[axis](level.face_number(axis, f));
+        int const n = level.cells[axis], at = cell.c[axis], face = level.face_number(axis, cell.c);
+        Real const lower = level.conductance[axis](face), upper = level.conductance[axis](face + stride);
         Real below = 0, above = 0;
-        if (c[axis] > 0) below = value(cell - stride);
-        else if (level.periodic[axis]) below = value(cell + (n - 1) * stride);
-        if (c[axis] < n - 1) above = value(cell + stride);
-        else if (level.periodic[axis]) above = value(cell - (n - 1) * stride);
+        if (at > 0) below = value(moved(cell, axis, -1, stride));
+        else if (level.periodic[axis]) below = value(moved(cell, axis, n - 1, stride));
+        if (at < n - 1) above = value(moved(cell, axis, 1, stride));
+        else if (level.periodic[axis]) above = value(moved(cell, axis, 1 - n, stride));
         sum += lower * (here - below) + upper * (here - above);
         stride *= n;
     }
@@ -44,76 +75,79 @@ template <class Value> KOKKOS_INLINE_FUNCTION Real row(MultigridLevel const& lev
 
 struct Stored { // a vector as a function of the cell
     View1<Real> const& vector;
-    KOKKOS_FUNCTION Real operator()(int cell) const { return vector(cell); }
+    KOKKOS_FORCEINLINE_FUNCTION Real operator()(Place const& cell) const { return vector(cell.number); }
 };
 
 struct FirstStep { // the first Chebyshev step from 0, made where it is read
     View1<Real> const &right_hand_side, &inverse_diagonal;
-    KOKKOS_FUNCTION Real operator()(int cell) const { return inverse_diagonal(cell) * right_hand_side(cell) / centre; }
+    KOKKOS_FORCEINLINE_FUNCTION Real operator()(Place const& cell) const
+    {
+        return inverse_diagonal(cell.number) * right_hand_side(cell.number) / centre;
+    }
 };
 
-KOKKOS_INLINE_FUNCTION int coarse_number(MultigridLevel const& fine, MultigridLevel const& coarse, int cell)
+KOKKOS_FORCEINLINE_FUNCTION int coarse_number(MultigridLevel const& fine, MultigridLevel const& coarse, Place const& cell)
 {
     int c[3];
-    fine.cell_of(cell, c);
-    for (int axis = 0; axis < 3; ++axis) c[axis] /= fine.ratio[axis];
+    for (int axis = 0; axis < 3; ++axis) c[axis] = cell.c[axis] >> (fine.ratio[axis] - 1); // the ratio is 1 or 2
     return coarse.number(c);
 }
 
 struct Prolonged { // the smoothed vector with the coarse level's correction
     MultigridLevel const &fine, &coarse;
-    KOKKOS_FUNCTION Real operator()(int cell) const
+    KOKKOS_FORCEINLINE_FUNCTION Real operator()(Place const& cell) const
     {
-        return fine.smoothed(cell) + coarse.solution(coarse_number(fine, coarse, cell));
+        return fine.smoothed(cell.number) + coarse.solution(coarse_number(fine, coarse, cell));
     }
 };
 
 // The parts of the cycle for one cell. b: the level's right-hand side; x: the cycle's answer to it.
 
-KOKKOS_INLINE_FUNCTION void smooth_from_zero(MultigridLevel const& level, View1<Real> const& b, int cell)
+KOKKOS_FORCEINLINE_FUNCTION void smooth_from_zero(MultigridLevel const& level, View1<Real> const& b, Place const& cell)
 {
     FirstStep const first{b, level.inverse_diagonal};
-    Real const residual = b(cell) - row(level, cell, first);
-    level.smoothed(cell) = (1 + momentum) * first(cell) + second_step * level.inverse_diagonal(cell) * residual;
+    Real const residual = b(cell.number) - row(level, cell, first);
+    level.smoothed(cell.number) =
+        (1 + momentum) * first(cell) + second_step * level.inverse_diagonal(cell.number) * residual;
 }
 
-KOKKOS_INLINE_FUNCTION void restrict_residual(MultigridLevel const& fine, MultigridLevel const& coarse, View1<Real> const& b,
-                                              int number)
+KOKKOS_FORCEINLINE_FUNCTION void restrict_residual(MultigridLevel const& fine, MultigridLevel const& coarse,
+                                                   View1<Real> const& b, Place const& cell)
 {
     int first[3], end[3];
-    coarse.cell_of(number, first);
     for (int axis = 0; axis < 3; ++axis) {
-        first[axis] *= fine.ratio[axis];
+        first[axis] = cell.c[axis] * fine.ratio[axis];
         end[axis] = Kokkos::min(first[axis] + fine.ratio[axis], fine.cells[axis]);
     }
     Real sum = 0;
     for (int k = first[2]; k < end[2]; ++k)
         for (int j = first[1]; j < end[1]; ++j)
             for (int i = first[0]; i < end[0]; ++i) {
-                int const cell = fine.number({i, j, k});
-                sum += b(cell) - row(fine, cell, Stored{fine.smoothed});
+                Place const of{fine.number({i, j, k}), {i, j, k}};
+                sum += b(of.number) - row(fine, of, Stored{fine.smoothed});
             }
-    coarse.right_hand_side(number) = sum;
+    coarse.right_hand_side(cell.number) = sum;
 }
 
-KOKKOS_INLINE_FUNCTION void prolong_and_smooth(MultigridLevel const& fine, MultigridLevel const& coarse, View1<Real> const& b,
-                                               View1<Real> const& x, int cell)
+KOKKOS_FORCEINLINE_FUNCTION void prolong_and_smooth(MultigridLevel const& fine, MultigridLevel const& coarse,
+                                                    View1<Real> const& b, View1<Real> const& x, Place const& cell)
 {
     Prolonged const start{fine, coarse};
-    Real const residual = b(cell) - row(fine, cell, start);
-    fine.correction(cell) = fine.inverse_diagonal(cell) * residual / centre;
-    x(cell) = start(cell);
+    Real const residual = b(cell.number) - row(fine, cell, start);
+    fine.correction(cell.number) = fine.inverse_diagonal(cell.number) * residual / centre;
+    x(cell.number) = start(cell);
 }
 
-KOKKOS_INLINE_FUNCTION void smooth_again(MultigridLevel const& level, View1<Real> const& x, int cell)
+KOKKOS_FORCEINLINE_FUNCTION void smooth_again(MultigridLevel const& level, View1<Real> const& x, Place const& cell)
 {
     // The residual after the first step, scaled by the diagonal, is centre * correction - D^-1 A correction.
-    Real const first = level.correction(cell);
-    Real const scaled = centre * first - level.inverse_diagonal(cell) * row(level, cell, Stored{level.correction});
-    x(cell) += (1 + momentum) * first + second_step * scaled;
+    Real const first = level.correction(cell.number);
+    Real const scaled = centre * first - level.inverse_diagonal(cell.number) * row(level, cell, Stored{level.correction});
+    x(cell.number) += (1 + momentum) * first + second_step * scaled;
 }
 
-KOKKOS_INLINE_FUNCTION void solve_coarsest(MultigridLevel const& level, View1<Real> const& b, View1<Real> const& x, int cell)
+KOKKOS_FORCEINLINE_FUNCTION void solve_coarsest(MultigridLevel const& level, View1<Real> const& b, View1<Real> const& x,
+                                                int cell)
 {
     x(cell) = level.inverse_diagonal(cell) * b(cell);
 }
@@ -121,28 +155,25 @@ KOKKOS_INLINE_FUNCTION void solve_coarsest(MultigridLevel const& level, View1<Re
 void descend(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, View1<Real> const& b)
 {
     MultigridLevel const fine = fine_level, coarse = coarse_level;
-    Kokkos::parallel_for(
-        "smooth_from_zero", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) { smooth_from_zero(fine, b, cell); });
-    Kokkos::parallel_for(
-        "restrict_residual", RangePolicy(0, coarse.cell_count()),
-        KOKKOS_LAMBDA(int number) { restrict_residual(fine, coarse, b, number); });
+    for_each_place("smooth_from_zero", fine, KOKKOS_LAMBDA(Place const& cell) { smooth_from_zero(fine, b, cell); });
+    for_each_place(
+        "restrict_residual", coarse, KOKKOS_LAMBDA(Place const& cell) { restrict_residual(fine, coarse, b, cell); });
 }
 
 void ascend(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, View1<Real> const& b, View1<Real> const& x)
 {
     MultigridLevel const fine = fine_level, coarse = coarse_level;
-    Kokkos::parallel_for(
-        "prolong_and_smooth", RangePolicy(0, fine.cell_count()),
-        KOKKOS_LAMBDA(int cell) { prolong_and_smooth(fine, coarse, b, x, cell); });
-    Kokkos::parallel_for(
-        "smooth_again", RangePolicy(0, fine.cell_count()), KOKKOS_LAMBDA(int cell) { smooth_again(fine, x, cell); });
+    for_each_place(
+        "prolong_and_smooth", fine, KOKKOS_LAMBDA(Place const& cell) { prolong_and_smooth(fine, coarse, b, x, cell); });
+    for_each_place("smooth_again", fine, KOKKOS_LAMBDA(Place const& cell) { smooth_again(fine, x, cell); });
 }
 
 void solve_on_coarsest(MultigridLevel const& level_now, View1<Real> const& b, View1<Real> const& x)
 {
     MultigridLevel const level = level_now;
     Kokkos::parallel_for(
-        "solve_coarsest", RangePolicy(0, level.cell_count()), KOKKOS_LAMBDA(int cell) { solve_coarsest(level, b, x, cell); });
+        "solve_coarsest", RangePolicy(0, level.cell_count()),
+        KOKKOS_LAMBDA(int cell) { solve_coarsest(level, b, x, cell); });
 }
 
 /// The whole cycle over the last levels by one team of a device, with a barrier where larger levels have a launch: a launch
@@ -158,21 +189,25 @@ struct SmallCycle {
 
     KOKKOS_FUNCTION void operator()(TeamPolicy::member_type const& member) const
     {
-        auto const each = [&](int cells, auto const& body) {
-            for (int cell = member.team_rank(); cell < cells; cell += team) body(cell);
+        auto const each = [&](MultigridLevel const& of, auto const& body) {
+            for (int cell = member.team_rank(); cell < of.cell_count(); cell += team) body(place_of(of, cell));
             member.team_barrier();
         };
         int const last = levels - 1;
         for (int l = 0; l < last; ++l) {
-            each(level[l].cell_count(), [&](int cell) { smooth_from_zero(level[l], right_hand_side(l), cell); });
-            each(level[l + 1].cell_count(), [&](int cell) { restrict_residual(level[l], level[l + 1], right_hand_side(l), cell); });
+            each(level[l], [&](Place const& cell) { smooth_from_zero(level[l], right_hand_side(l), cell); });
+            each(level[l + 1], [&](Place const& cell) {
+                restrict_residual(level[l], level[l + 1], right_hand_side(l), cell);
+            });
         }
-        each(level[last].cell_count(), [&](int cell) { solve_coarsest(level[last], right_hand_side(last), solution(last), cell); });
+        each(level[last], [&](Place const& cell) {
+            solve_coarsest(level[last], right_hand_side(last), solution(last), cell.number);
+        });
         for (int l = last - 1; l >= 0; --l) {
-            each(level[l].cell_count(), [&](int cell) {
+            each(level[l], [&](Place const& cell) {
                 prolong_and_smooth(level[l], level[l + 1], right_hand_side(l), solution(l), cell);
             });
-            each(level[l].cell_count(), [&](int cell) { smooth_again(level[l], solution(l), cell); });
+            each(level[l], [&](Place const& cell) { smooth_again(level[l], solution(l), cell); });
         }
     }
 };
@@ -182,7 +217,8 @@ std::size_t first_small_level(MultigridLevels const& levels)
 {
     std::size_t first = levels.size() - 1;
     if (!on_host)
-        while (first > 0 && levels[first - 1].cell_count() <= SmallCycle::most_cells && levels.size() - first < SmallCycle::most_levels)
+        while (first > 0 && levels[first - 1].cell_count() <= SmallCycle::most_cells &&
+               levels.size() - first < SmallCycle::most_levels)
             --first;
     return first;
 }
@@ -299,9 +335,9 @@ void update_multigrid(MultigridLevels const& levels)
 void apply_conductances(MultigridLevel const& level_now, View1<Real> const& vector, View1<Real> const& image)
 {
     MultigridLevel const level = level_now;
-    Kokkos::parallel_for(
-        "apply_conductances", RangePolicy(0, level.cell_count()),
-        KOKKOS_LAMBDA(int cell) { image(cell) = row(level, cell, Stored{vector}); });
+    for_each_place(
+        "apply_conductances", level,
+        KOKKOS_LAMBDA(Place const& cell) { image(cell.number) = row(level, cell, Stored{vector}); });
 }
 
 void multigrid_cycle(MultigridLevels const& levels, View1<Real> const& right_hand_side, View1<Real> const& result)
