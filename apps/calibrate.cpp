@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/calibrate.hpp"
 
-#include "apps/given_grains.hpp"
 #include "apps/make_state.hpp"
 #include "apps/seconds_of.hpp"
 #include "apps/stage_loop.hpp"

@@ -3,7 +3,6 @@
 
 #include "apps/calibrate.hpp"
 #include "apps/expected_steps.hpp"
-#include "apps/given_grains.hpp"
 #include "apps/make_state.hpp"
 #include "core/error.hpp"
 #include "io/progress.hpp"
@@ -21,12 +20,12 @@ namespace {
 
 void print(std::string const& line) { std::fputs((line + "\n").c_str(), stdout); }
 
-long long print_classes(Scene const& scene)
+/// given: grains that the scene names one by one. Returns how many there will be.
+long long print_classes(Scene const& scene, long long given)
 {
     if (scene.particles.source != ParticleSource::distribution) {
-        long long const count = has_given_grains(scene) ? static_cast<long long>(given_grains(scene).size()) : 0;
-        print(fmt::format("grains: {}", count));
-        return count;
+        print(fmt::format("grains: {}", given));
+        return given;
     }
     DistributionSettings const& distribution = scene.particles.distribution;
     Region const region = distribution.region.value_or(Region{scene.domain.lower, scene.domain.upper});
@@ -115,7 +114,6 @@ std::string describe(PlannedStage const& stage, ExpectedSteps const& steps, doub
 void print_stages(Scene const& scene, StagePlan const& plan, long long grains)
 {
     Costs costs(scene);
-    Real const smallest = smallest_diameter(scene);
     print("stages:");
     double total = 0, fields = 0;
     bool is_bound = false;
@@ -127,7 +125,7 @@ void print_stages(Scene const& scene, StagePlan const& plan, long long grains)
         StageCost const& cost = costs.of(stage);
         ExpectedSteps const steps = expected_steps(stage);
         double const fluid_steps = stage.coupling_interval > 0 ? steps.count / stage.coupling_interval : 0;
-        double const grain_seconds = steps.count * (cost.step + cost.search / expected_search_interval(stage, smallest));
+        double const grain_seconds = steps.count * (cost.step + cost.search / expected_search_interval(stage));
         double const seconds = grain_seconds + fluid_steps * cost.fluid_step;
         total += seconds;
         is_bound = is_bound || steps.is_bound;
@@ -146,10 +144,10 @@ int check_scene(std::string const& path, std::vector<std::string> const& overrid
 {
     Scene const scene = read_scene(path, overrides);
     StagePlan const plan = make_stage_plan(scene);
-    make_run_state(scene); // walls and files too
+    long long const given = make_run_state(scene).particles.count; // walls and files are tried too
     print(scene.resolved);
     print("# ---- what would run");
-    long long const grains = print_classes(scene);
+    long long const grains = print_classes(scene, given);
     print_time_steps(scene, plan);
     print_fluid(scene);
     print_stages(scene, plan, grains);

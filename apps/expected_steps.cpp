@@ -56,11 +56,12 @@ ExpectedSteps expected_steps(PlannedStage const& planned)
     return {bound, true};
 }
 
-double expected_search_interval(PlannedStage const& planned, Real smallest_diameter)
+double expected_search_interval(PlannedStage const& planned)
 {
     // Whoever looks for grains that left, every hundred steps, searches anew where it finds some.
     double const rarely = planned.settings.outlet_wall.empty() ? 600 : 120;
-    Real const move = 2 * fastest_wall(planned.settings) * planned.dt / smallest_diameter; // of a grain, with half of the skin to go
+    // Of the smallest grain, with half of the skin to go.
+    Real const move = 2 * fastest_wall(planned.settings) * planned.dt / planned.limits.smallest_diameter;
     if (!(move > 0)) return rarely;
     double const skin = std::clamp(std::sqrt(balanced_list_age * move), least_relative_skin, most_relative_skin);
     return std::clamp(skin / move, 1.0, rarely);

@@ -13,7 +13,6 @@ struct ExpectedSteps {
 ExpectedSteps expected_steps(PlannedStage const& planned);
 
 /// Steps between two rebuilds of the contact lists, from the fastest wall and the range that the skin adapts in.
-/// smallest_diameter: m, of the scene's grains.
-double expected_search_interval(PlannedStage const& planned, Real smallest_diameter);
+double expected_search_interval(PlannedStage const& planned);
 
 } // namespace arenite

@@ -148,10 +148,7 @@ int settled_coupling_interval(Scene const& scene, PlannedStage& planned)
     return steps;
 }
 
-bool is_modified(StageSettings const& stage) { return stage.contact.normal == NormalLaw::modified_jkr; }
-
-} // namespace
-
+/// Largest stress [Pa] that a servo of the scene holds: what critical time steps are computed for.
 Real reference_stress(Scene const& scene)
 {
     Real stress = 0;
@@ -168,6 +165,7 @@ Real reference_stress(Scene const& scene)
     return stress;
 }
 
+/// Diameter [m] of the smallest grain that the scene will have; 0 without grains.
 Real smallest_diameter(Scene const& scene)
 {
     Real smallest = 0;
@@ -179,6 +177,10 @@ Real smallest_diameter(Scene const& scene)
         for (Grain const& grain : given_grains(scene)) take(grain.diameter);
     return smallest;
 }
+
+bool is_modified(StageSettings const& stage) { return stage.contact.normal == NormalLaw::modified_jkr; }
+
+} // namespace
 
 StagePlan make_stage_plan(Scene const& scene)
 {

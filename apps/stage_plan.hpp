@@ -31,10 +31,4 @@ using StagePlan = std::vector<PlannedStage>;
 /// steps, a stage without a time step.
 StagePlan make_stage_plan(Scene const& scene);
 
-/// Largest stress [Pa] that a servo of the scene holds: what critical time steps are computed for.
-Real reference_stress(Scene const& scene);
-
-/// Diameter [m] of the smallest grain that the scene will have.
-Real smallest_diameter(Scene const& scene);
-
 } // namespace arenite
