@@ -14,6 +14,8 @@ FIGURES = {  # of `arenite report`, as the page shows them
     "figure-6-bonds.png": "Section through the axis of the paper's sample: bonds a grain at 0, 50 and 100 % of the perforation.",
     "figure-9-fluid.png": "Half section of the paper's sample in the production: fluid speed and streamlines.",
     "figure-9-grains.png": "The same with the speed of the grains.",
+    "original-figure-9-fluid.png": "The original, 270 000 grains: fluid speed and streamlines 10 ms into the production.",
+    "original-figure-9-grains.png": "The same with the speed of the grains: what the rod broke loose fills its hole.",
 }
 
 

@@ -173,6 +173,7 @@ def main() -> int:
         results.write(rows, CSV)
         have = [row["case"] for row in rows]
         draw(options.folder, options.program, [case for case in have if case == "ssw"], "", ("figure-6", "figure-9"))
+        draw(options.folder, options.program, [case for case in have if case == "original"], "original-", ("figure-9",))
         draw(options.folder, options.program, [case for case in controls_of("drawdown-20") if case in have], "drawdown-", ("figure-10", "figure-11"))
     PAGE.write_text(page(results.read(CSV), {"date": datetime.date.today().isoformat(), "commit": commit(), "machine": machine()}), encoding="utf-8")
     return 0
