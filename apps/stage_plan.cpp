@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace arenite {
 namespace {
@@ -165,17 +167,39 @@ Real reference_stress(Scene const& scene)
     return stress;
 }
 
-/// Diameter [m] of the smallest grain that the scene will have; 0 without grains.
-Real smallest_diameter(Scene const& scene)
+/// Diameter [m] of the smallest grain of each material that grains of the scene are of, by the material's row.
+std::map<int, Real> smallest_diameters(Scene const& scene)
 {
-    Real smallest = 0;
-    auto const take = [&](Real d) { smallest = smallest > 0 ? std::min(smallest, d) : d; };
+    std::map<int, Real> smallest;
+    auto const take = [&](int material, Real d) {
+        Real& least = smallest.emplace(material, d).first->second;
+        least = std::min(least, d);
+    };
     if (scene.particles.source == ParticleSource::distribution)
         for (SizeClass const& c : make_size_classes(scene.particles.distribution, scene.coarse_graining, 1))
-            if (c.count > 0) take(c.diameter);
+            if (c.count > 0) take(material_row(scene, scene.particles.material), c.diameter);
     if (has_given_grains(scene))
-        for (Grain const& grain : given_grains(scene)) take(grain.diameter);
+        for (Grain const& grain : given_grains(scene)) take(grain.material, grain.diameter);
     return smallest;
+}
+
+/// Limits of the material whose grains need the shortest step, with the diameter and the mass that are smallest of all.
+TimeStepLimits strictest_limits(Scene const& scene, PlannedStage const& planned, std::map<int, Real> const& diameters, Real stress)
+{
+    std::vector<MaterialSettings> const materials = stage_materials(scene, planned.settings);
+    TimeStepLimits strictest;
+    Real smallest = std::numeric_limits<Real>::infinity(), lightest = smallest;
+    if (diameters.empty()) return strictest;
+    for (auto const& [row, diameter] : diameters) {
+        PairConstants const& alike = planned.pairs[static_cast<std::size_t>(row) * (materials.size() + 1)];
+        TimeStepLimits const limits = time_step_limits(diameter, materials[row], alike, stress);
+        smallest = std::min(smallest, limits.smallest_diameter);
+        lightest = std::min(lightest, limits.smallest_mass);
+        if (!(strictest.smallest_mass > 0) || limits.critical() < strictest.critical()) strictest = limits;
+    }
+    strictest.smallest_diameter = smallest;
+    strictest.smallest_mass = lightest;
+    return strictest;
 }
 
 bool is_modified(StageSettings const& stage) { return stage.contact.normal == NormalLaw::modified_jkr; }
@@ -186,16 +210,13 @@ StagePlan make_stage_plan(Scene const& scene)
 {
     StagePlan plan;
     for (int row = 0; row < static_cast<int>(scene.stages.size()); ++row) expand(scene, row, plan);
-    Real const stress = reference_stress(scene), diameter = smallest_diameter(scene);
+    Real const stress = reference_stress(scene);
+    std::map<int, Real> const diameters = smallest_diameters(scene);
     bool was_modified = false;
     for (PlannedStage& planned : plan) {
         planned.pairs = make_pair_constants(scene, planned.settings, planned.settings.contact);
         planned.wall_pairs = make_pair_constants(scene, planned.settings, planned.settings.wall_contact);
-        int const material = std::max(0, material_row(scene, scene.particles.material));
-        if (diameter > 0 && !scene.materials.empty()) {
-            std::size_t const pair = static_cast<std::size_t>(material) * scene.materials.size() + material;
-            planned.limits = time_step_limits(diameter, stage_materials(scene, planned.settings)[material], planned.pairs[pair], stress);
-        }
+        planned.limits = strictest_limits(scene, planned, diameters, stress);
         planned.dt = settled_time_step(planned);
         bool const moves = planned.settings.kind == StageKind::dynamics;
         if (moves && !(planned.dt > 0) && !(scene.fluid && planned.settings.fluid))

@@ -9,6 +9,8 @@ endif()
 arenite_test(test_stop_signal unit unit/test_stop_signal.cpp LINK arenite_driver)
 target_include_directories(test_stop_signal PRIVATE ${PROJECT_SOURCE_DIR})
 
+arenite_test(test_stage_plan unit unit/test_stage_plan.cpp LINK arenite_driver)
+
 arenite_test(refuse_bad_scenes smoke smoke/refuse_bad_scenes.cpp unit/scene_keys.cpp LINK arenite_driver)
 set_tests_properties(refuse_bad_scenes PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 
