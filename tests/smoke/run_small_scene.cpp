@@ -7,6 +7,7 @@
 #include "io/scene_reader.hpp"
 #include "io/stream_tracer.hpp"
 #include "io/time_series.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -23,26 +24,19 @@ using namespace arenite;
 
 std::string const scene = ARENITE_TEST_SCENES "/small.toml";
 
-fs::path fresh_folder(std::string const& name)
-{
-    fs::path const folder = fs::temp_directory_path() / ("arenite_small_" + name);
-    fs::remove_all(folder);
-    return folder;
-}
-
 /// One whole run, made once.
 fs::path const& whole_run()
 {
-    static fs::path const folder = [] {
-        fs::path const f = fresh_folder("whole");
+    static test::ScratchFolder const folder;
+    static int const code = [] {
         RunOptions options;
         options.scene = scene;
-        options.folder = f.string();
+        options.folder = folder.path().string();
         options.quiet = true;
-        EXPECT_EQ(run_scene(options), 0);
-        return f;
+        return run_scene(options);
     }();
-    return folder;
+    EXPECT_EQ(code, 0);
+    return folder.path();
 }
 
 nlohmann::json stage_of(std::string const& name)
@@ -100,8 +94,8 @@ void expect_same_production(fs::path const& resumed)
 /// Runs on from a checkpoint in a folder of its own and compares the last states.
 void expect_resume_is_exact(fs::path const& from)
 {
-    fs::path const folder = fresh_folder("resumed");
-    fs::create_directories(folder);
+    test::ScratchFolder const scratch;
+    fs::path const& folder = scratch.path();
     fs::copy(from, folder / from.filename());
     fs::copy(whole_run() / "summary.json", folder / "summary.json"); // what a killed run would have left, and more
     RunOptions options;
@@ -118,7 +112,6 @@ void expect_resume_is_exact(fs::path const& from)
     expect_same_array<View1<std::uint8_t>>(gone_on, resumed, "contacts/adhering");
     expect_same_array<FieldView>(gone_on, resumed, "fluid/fluid_pressure");
     expect_same_production(folder);
-    fs::remove_all(folder);
 }
 
 TEST(SmallScene, CompressionEndsAtItsStressAndPorosity)
