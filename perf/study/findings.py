@@ -47,6 +47,13 @@ def paper_scene(rows: list[Row]) -> str:
             lines.append(f"- `{row['case']}` ({row['what']}) gives {1e6 * value(row, 'produced_kg'):.3g} mg, "
                          f"{row['produced_grains']} grain{'s' if row['produced_grains'] != '1' else ''}, in {length_ms(row)}, the last at "
                          f"{1e3 * value(row, 'last_grain_s'):.3g} ms.")
+    for base in ("ssw", "ssw-k4"):
+        own, dry = find(rows, base), [row for name in ("no-fluid", "neither") if (row := find(rows, f"{base}-{name}"))]
+        if own and dry and all(value(row, "produced_kg") > value(own, "produced_kg") for row in dry):
+            lines.append(f"- **What drives it**: `{base}` gives {1e6 * value(own, 'produced_kg'):.3g} mg with water; " + ", ".join(
+                f"{row['what']}: {1e6 * value(row, 'produced_kg'):.3g} mg" for row in dry) +
+                ". A grain that leaves is pushed by what the rod left stored in the contacts; the water, a hundred times as slow as such a grain, "
+                "holds it back (its drag takes energy out of the sample).")
     return "\n".join(lines)
 
 
