@@ -62,7 +62,8 @@ def hardware(run: Run) -> str:
     machine = run.summary.get("machine") or {}
     if machine.get("gpu"):
         return str(machine["gpu"])
-    return f"{machine.get('cpu', '')}, {machine['concurrency']} threads" if machine.get("concurrency") else str(machine.get("cpu", ""))
+    threads = machine.get("concurrency")
+    return str(machine.get("cpu", "")) + (f", {threads} thread{'s' if threads != 1 else ''}" if threads else "")
 
 
 def row_of(name: str, folder: pathlib.Path) -> Row | None:
