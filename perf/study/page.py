@@ -146,7 +146,7 @@ def page(rows: list[Row], where: dict[str, str]) -> str:
     parts.append("\n## Production: the paper's scene\n\n" + productions([row for row in rows if row["case"] in SAMPLES and "drawdown" not in row["case"]])
                  + "\nt50 and t90: when half and nine tenths of what came in the simulated time had come. Wall times of the CPU's runs are of a machine "
                  "that had other work to do as well. `original` was cut off by the end of its time on the card. The two cases on the card ran at a commit "
-                 "whose deposit adds up in another order than today's on a GPU: today's program gives them to rounding, not bit for bit.\n")
+                 "whose deposit adds up in another order than today's on a GPU: today's program does not give the same bits, and single grains may differ.\n")
     for base, title in CONTROLLED.items():
         controls = [row for row in rows if row["case"] in controls_of(base)]
         if len(controls) < 2:
