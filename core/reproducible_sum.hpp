@@ -45,12 +45,11 @@ template <int N, class Term> void sum_chunks(char const* label, int terms, View1
         });
 }
 
-/// `parts` teams sum `span` terms each.
-template <int N, class Term>
-void sum_blocks(char const* label, int terms, int parts, int span, Real* partial, Term const& term)
+/// A team sums `span` terms.
+template <int N, class Term> void sum_blocks(char const* label, int terms, int span, Real* partial, Term const& term)
 {
     Kokkos::parallel_for(
-        label, TeamPolicy(parts, team), KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
+        label, TeamPolicy((terms + span - 1) / span, team), KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
             int const part = member.league_rank(), end = Kokkos::min(terms, (part + 1) * span);
             Real sum[N] = {};
             for (int i = part * span + member.team_rank(); i < end; i += team) {
@@ -99,9 +98,9 @@ Terms<N> reproducible_sums(SumWorkspace& workspace, char const* label, int count
             for (int n = 0; n < N; ++n) total[n] += workspace.partial(c * N + n);
     } else {
         Real* const to_host = workspace.total.data();
-        reproducible::sum_blocks<N>(label, count, parts, reproducible::block, parts > 1 ? workspace.partial.data() : to_host, term);
+        reproducible::sum_blocks<N>(label, count, reproducible::block, parts > 1 ? workspace.partial.data() : to_host, term);
         if (parts > 1)
-            reproducible::sum_blocks<N>(label, parts, 1, parts, to_host, reproducible::PartialTerm<N>{workspace.partial});
+            reproducible::sum_blocks<N>(label, parts, parts, to_host, reproducible::PartialTerm<N>{workspace.partial});
         ExecutionSpace().fence(label);
         for (int n = 0; n < N; ++n) total[n] = to_host[n];
     }

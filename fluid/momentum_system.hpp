@@ -120,6 +120,13 @@ KOKKOS_FORCEINLINE_FUNCTION Real scale_of_link(MomentumSystem const& s, int comp
     return beside ? link_scale(s, component, axis, face, neighbour(s.flow.grid, face, axis, by)) : Real(1);
 }
 
+/// Coefficient of both neighbours along an axis of a row that is clear of boundaries, Pa s/m2.
+KOKKOS_FORCEINLINE_FUNCTION Real viscous_coefficient(MomentumSystem const& s, int component, int axis)
+{
+    Real const per_square = s.flow.viscosity / (s.flow.grid.spacing[axis] * s.flow.grid.spacing[axis]);
+    return axis == component ? Real(4) / 3 * per_square : per_square;
+}
+
 /// What viscosity does along one axis, as coefficients of the two neighbours and of the row itself.
 struct ViscousLink {
     Real coefficient[2] = {0, 0}; // of (neighbour - u), lower and upper, Pa s/m2
@@ -131,15 +138,14 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
                                                      bool beside)
 {
     Grid const& grid = s.flow.grid;
-    Real const per_square = s.flow.viscosity / (grid.spacing[axis] * grid.spacing[axis]);
+    Real const coefficient = viscous_coefficient(s, component, axis);
     int const index = face[axis] - Grid::halo;
     ViscousLink link;
     if (axis == component) { // through the centres of the two cells; none beyond a boundary: free of stress
         int const side = boundary_side(grid, component, face);
         for (int upper = 0; upper < 2; ++upper)
             if (side != (upper ? 1 : -1))
-                link.coefficient[upper] =
-                    Real(4) / 3 * per_square * scale_of_link(s, component, axis, face, upper ? 1 : -1, beside);
+                link.coefficient[upper] = coefficient * scale_of_link(s, component, axis, face, upper ? 1 : -1, beside);
         return link;
     }
     Real const weight = face_weight(grid, s.boundary, component, face);
@@ -147,7 +153,7 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
         bool const at_boundary = !grid.periodic[axis] && index == (upper ? grid.cells[axis] - 1 : 0);
         if (!at_boundary) {
             link.coefficient[upper] =
-                weight * per_square * scale_of_link(s, component, axis, face, upper ? 1 : -1, beside);
+                weight * coefficient * scale_of_link(s, component, axis, face, upper ? 1 : -1, beside);
             continue;
         }
         Real const n = mean_at_face(s.flow.porosity, component, face);
@@ -155,8 +161,8 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
         // A single cell between two walls has no second node: the straight slope over half a cell.
         Real const slope = grid.cells[axis] == 1 ? Real(2) : Real(8) / 3 * wall_scale(s, component, axis, face);
         Real const other = link_scale(s, component, axis, face, face);
-        link.wall[upper] = weight * slope * other * per_square * edge.stick;
-        link.wall_source[upper] = weight * slope * other * per_square * edge.stick_velocity;
+        link.wall[upper] = weight * slope * other * coefficient * edge.stick;
+        link.wall_source[upper] = weight * slope * other * coefficient * edge.stick_velocity;
     }
     return link;
 }
@@ -171,13 +177,6 @@ KOKKOS_FORCEINLINE_FUNCTION bool is_clear(Grid const& grid, Node const& face)
     return true;
 }
 
-/// Coefficient of both neighbours along an axis of such a row, Pa s/m2.
-KOKKOS_FORCEINLINE_FUNCTION Real clear_coefficient(MomentumSystem const& s, int component, int axis)
-{
-    Real const per_square = s.flow.viscosity / (s.flow.grid.spacing[axis] * s.flow.grid.spacing[axis]);
-    return axis == component ? Real(4) / 3 * per_square : per_square;
-}
-
 /// W mu (4/3 d2u/dx_d2 + ...) of a vector; `source` 1 with the walls' velocities, 0 for the matrix alone.
 KOKKOS_FORCEINLINE_FUNCTION Real diffusion_at_face(MomentumSystem const& s, FieldView const& u, int component,
                                                    Node const& face, Real source)
@@ -186,7 +185,7 @@ KOKKOS_FORCEINLINE_FUNCTION Real diffusion_at_face(MomentumSystem const& s, Fiel
     Real sum = 0;
     if (is_clear(s.flow.grid, face)) {
         for (int axis = 0; axis < 3; ++axis) {
-            Real const coefficient = clear_coefficient(s, component, axis);
+            Real const coefficient = viscous_coefficient(s, component, axis);
             for (int by = -1; by <= 1; by += 2) sum += coefficient * (at(u, shifted(face, axis, by)) - here);
         }
         return sum;
@@ -211,7 +210,7 @@ KOKKOS_INLINE_FUNCTION Real momentum_diagonal(MomentumSystem const& s, int compo
                (n * open_share(s.flow.grid, s.boundary, component, face));
     if (is_clear(s.flow.grid, face)) {
         for (int axis = 0; axis < 3; ++axis)
-            for (int upper = 0; upper < 2; ++upper) sum += clear_coefficient(s, component, axis);
+            for (int upper = 0; upper < 2; ++upper) sum += viscous_coefficient(s, component, axis);
         return sum;
     }
     bool const beside = beside_wall(s.flow.grid, component, face);

@@ -147,9 +147,9 @@ KOKKOS_FORCEINLINE_FUNCTION void smooth_again(MultigridLevel const& level, View1
 }
 
 KOKKOS_FORCEINLINE_FUNCTION void solve_coarsest(MultigridLevel const& level, View1<Real> const& b, View1<Real> const& x,
-                                                int cell)
+                                                Place const& cell)
 {
-    x(cell) = level.inverse_diagonal(cell) * b(cell);
+    x(cell.number) = level.inverse_diagonal(cell.number) * b(cell.number);
 }
 
 void descend(MultigridLevel const& fine_level, MultigridLevel const& coarse_level, View1<Real> const& b)
@@ -171,9 +171,7 @@ void ascend(MultigridLevel const& fine_level, MultigridLevel const& coarse_level
 void solve_on_coarsest(MultigridLevel const& level_now, View1<Real> const& b, View1<Real> const& x)
 {
     MultigridLevel const level = level_now;
-    Kokkos::parallel_for(
-        "solve_coarsest", RangePolicy(0, level.cell_count()),
-        KOKKOS_LAMBDA(int cell) { solve_coarsest(level, b, x, cell); });
+    for_each_place("solve_coarsest", level, KOKKOS_LAMBDA(Place const& cell) { solve_coarsest(level, b, x, cell); });
 }
 
 /// The whole cycle over the last levels by one team of a device, with a barrier where larger levels have a launch: a launch
@@ -200,9 +198,7 @@ struct SmallCycle {
                 restrict_residual(level[l], level[l + 1], right_hand_side(l), cell);
             });
         }
-        each(level[last], [&](Place const& cell) {
-            solve_coarsest(level[last], right_hand_side(last), solution(last), cell.number);
-        });
+        each(level[last], [&](Place const& cell) { solve_coarsest(level[last], right_hand_side(last), solution(last), cell); });
         for (int l = last - 1; l >= 0; --l) {
             each(level[l], [&](Place const& cell) {
                 prolong_and_smooth(level[l], level[l + 1], right_hand_side(l), solution(l), cell);

@@ -49,7 +49,6 @@ mkdir -p "$build"
 if [ -z "${ARENITE_PROGRAMS:-}" ]; then
     say "Building (preset $preset)"
     cmake --preset "$preset" -DARENITE_ENABLE_PERF=ON
-    run "the build" cmake --build "$build" --target arenite bench_projection bench_coupling
 fi
 arenite=$(program arenite)
 projection=$(program bench_projection)
