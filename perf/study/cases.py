@@ -52,6 +52,8 @@ add_sample("ssw-k4", "paper/ssw.toml", "k = 4, each size times k", coarse(4))
 add_sample("ssw-k4-seed2", "paper/ssw.toml", "k = 4, another sample", coarse(4, seed=2))
 add_sample("ssw-k4-seed3", "paper/ssw.toml", "k = 4, a third sample", coarse(4, seed=3))
 add_sample("ssp-k4", "paper/ssp.toml", "k = 4, one size", coarse(4))
+for made in ("ssw-k4-seed2", "ssw-k4-seed3"):
+    add_control(made, "no-fluid", "the same without water", "perforated", DRY)
 for made in ("ssw", "ssw-k4"):
     add_control(made, "no-fluid", "no water", "perforated", DRY)
     add_control(made, "no-gravity", "no gravity", "perforated", WEIGHTLESS)

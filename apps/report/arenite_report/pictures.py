@@ -154,7 +154,8 @@ class Pictures:
         aspects = [max(_aspect(drawn[picture["name"]]["extent"]) for picture in pictures) for pictures in rows.values()]
         wide = min(9.2 / max(columns, 2), 4.6 / max(aspects))  # in, of a picture
         size = ((wide + 0.25) * columns + 1.7, sum(wide * aspect + 0.35 for aspect in aspects) + 0.4)
-        canvas, grid = plt.subplots(len(rows), columns, squeeze=False, sharey="row", figsize=size, height_ratios=aspects)
+        canvas, grid = plt.subplots(len(rows), columns, squeeze=False, sharey="row", figsize=size, height_ratios=aspects,
+                                    layout="compressed")  # for axes of a fixed aspect: "constrained" cuts their titles
         used = []
         labels = {run.name: run.label for run in self.runs}
         for (name, pictures), line in zip(rows.items(), grid):
