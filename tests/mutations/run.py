@@ -10,6 +10,7 @@ less time), until a row fails. Prints a Markdown table and exits with 1 if a mut
 longer applies). Takes about a minute a mutation, so it is run by name and is not part of ctest.
 """
 import argparse
+import datetime
 import os
 import pathlib
 import re
@@ -85,6 +86,12 @@ def copy_tree(folder):
         (folder / "deps").symlink_to(ROOT / "deps")
 
 
+def commit():
+    """Of the tree, marked where files differ from it."""
+    return subprocess.run(["git", "-C", ROOT, "describe", "--always", "--dirty=-modified", "--exclude=*", "--abbrev=12"], check=True,
+                          capture_output=True, text=True).stdout.strip()
+
+
 def build(folder):
     return subprocess.run(["cmake", "--build", folder / BUILD, "--target", "verify_groups"], capture_output=True, text=True)
 
@@ -142,7 +149,7 @@ def main():
     chosen = [m for m in MUTATIONS if arguments.only in m[0] or arguments.only in m[1]][arguments.skip:]
     if not chosen:
         sys.exit("no mutation holds that word")
-    lines = ["| mutation | file | first row that fails |", "| --- | --- | --- |"]
+    lines = [f"Run at commit {commit()}, {datetime.date.today()}.", "", "| mutation | file | first row that fails |", "| --- | --- | --- |"]
     survivors = 0
     print("\n".join(lines), flush=True)
     for mutation in chosen:
