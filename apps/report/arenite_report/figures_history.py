@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import math
 import re
+from typing import Iterable
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -58,6 +60,8 @@ def shares(runs: list[Run], groups: dict[str, re.Pattern[str]], name: str, title
     if not shown:
         return None
     canvas, axes = panels(len(shown), len(used), 11.0, 4.4)
+    # A quantity looks the same in every run, also where one of them lacks the one before it.
+    drawn = {group: list(dict.fromkeys(column for run in shown for column in found[run.name][group])) for group in used}
     rows = []
     for number, panel in enumerate(axes):
         run, group = shown[number // len(used)], used[number % len(used)]
@@ -67,7 +71,7 @@ def shares(runs: list[Run], groups: dict[str, re.Pattern[str]], name: str, title
                      if np.isfinite(v)]
         panel.set_title(group if len(shown) == 1 else f"{run.label}: {group}")
         if columns:
-            _draw_shares(panel, run, columns, linear=group == "momentum")
+            _draw_shares(panel, run, {column: drawn[group].index(column) for column in columns}, linear=group == "momentum")
         panel.set(xlabel="time [ms]", ylabel=unit)
     return Figure(name, title, caption, as_png(canvas), ["run", "column", "time_s", f"value_{unit.strip('[]').replace(' ', '')}"], rows)
 
@@ -85,9 +89,10 @@ def _shown(run: Run) -> np.ndarray:
     return time >= span[0] if span else np.ones(time.size, dtype=bool)
 
 
-def _draw_shares(panel: plt.Axes, run: Run, columns: list[str], linear: bool) -> None:
+def _draw_shares(panel: plt.Axes, run: Run, columns: dict[str, int], linear: bool) -> None:
+    """columns: those drawn, each with the number of its style."""
     time, shown = run.history.numbers("time"), _shown(run)
-    for number, column in enumerate(columns):
+    for column, number in columns.items():
         panel.plot(time[shown] * 1e3, run.history.numbers(column)[shown], label=column.replace("_", " "), linewidth=1.4,
                    color=SHARE_COLOURS[number % len(SHARE_COLOURS)], linestyle="-" if number < len(palette.RUNS) else "--")
     if not linear:
@@ -98,11 +103,12 @@ def _draw_shares(panel: plt.Axes, run: Run, columns: list[str], linear: bool) ->
     panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, fontsize=8)
 
 
-def _linear_range(run: Run, columns: list[str], shown: np.ndarray) -> float:
-    """Shares differ by orders of magnitude and in sign: logarithmic down to a ten-thousandth of the largest, linear below."""
+def _linear_range(run: Run, columns: Iterable[str], shown: np.ndarray) -> float:
+    """Shares differ by orders of magnitude and in sign: logarithmic down to a ten-thousandth of the largest or less, linear
+    below. A power of ten, so that no tick lies between it and zero."""
     values = np.abs(np.concatenate([run.history.numbers(column)[shown] for column in columns]))
     largest = np.nanmax(values) if np.isfinite(values).any() else 0.0
-    return max(largest * 1e-4, 1e-300)
+    return 10.0 ** math.floor(math.log10(max(largest * 1e-4, 1e-300)))
 
 
 def _stage_starts(run: Run) -> list[tuple[str, float]]:
