@@ -50,15 +50,32 @@ def paper_scene(rows: list[Row]) -> str:
             lines.append(f"- `{row['case']}` ({row['what']}) gives {1e6 * value(row, 'produced_kg'):.3g} mg, "
                          f"{row['produced_grains']} grain{'s' if row['produced_grains'] != '1' else ''}, in {length_ms(row)}, the last at "
                          f"{1e3 * value(row, 'last_grain_s'):.3g} ms.")
-    for base in ("ssw", "ssw-k4"):
-        own, dry = find(rows, base), [row for name in ("no-fluid", "neither") if (row := find(rows, f"{base}-{name}"))]
-        if own and dry and all(value(row, "produced_kg") > value(own, "produced_kg") for row in dry):
-            most = max(int(value(row, "produced_grains")) for row in dry)
-            lines.append(f"- **With and without water**: `{base}` gives {1e6 * value(own, 'produced_kg'):.3g} mg with water; " + ", ".join(
-                f"{row['what']}: {1e6 * value(row, 'produced_kg'):.3g} mg ({row['produced_grains']})" for row in dry) +
-                f". So the water is not needed for a grain to leave. More than that {most} grain{'s' if most != 1 else ''} of one sample cannot tell: "
-                "that the water holds grains back fits the negative work of its drag in the table above, but other samples have not been run.")
+    lines += water(rows)
     return "\n".join(lines)
+
+
+def water(rows: list[Row]) -> list[str]:
+    """With and without water, sample by sample."""
+    pairs = [(wet, dry) for base in CASES if (wet := find(rows, base)) and (dry := find(rows, f"{base}-no-fluid")) and "drawdown" not in base]
+    if not pairs:
+        return []
+    grains = [int(value(row, "produced_grains")) for pair in pairs for row in pair]
+    line = "- **With and without water**: " + "; ".join(
+        f"`{wet['case']}` {mass_and_grains(wet)} with, {mass_and_grains(dry)} without" for wet, dry in pairs) + "."
+    neither = find(rows, "ssw-k4-neither")
+    if neither:
+        line += f" With neither water nor gravity `ssw-k4` gives {mass_and_grains(neither)}."
+    if any(value(dry, "produced_grains") > 0 for _, dry in pairs):
+        line += " So the water is not needed for a grain to leave."
+    more, less = (sum(sign * (value(dry, "produced_kg") - value(wet, "produced_kg")) > 0 for wet, dry in pairs) for sign in (1, -1))
+    if sum(grains) < 100:
+        line += (f" Without it more leaves in {more} and less in {less} of {len(pairs)} sample{'s' if len(pairs) > 1 else ''}: "
+                 f"{sum(grains)} grains in all do not tell whether the water drives them or holds them back.")
+    return [line]
+
+
+def mass_and_grains(row: Row) -> str:
+    return f"{1e6 * value(row, 'produced_kg'):.3g} mg ({row['produced_grains']})"
 
 
 def drawdown_cases() -> list[str]:

@@ -32,8 +32,9 @@ PAGE, CSV, FIGURES = ROOT / "docs/study.md", ROOT / "docs/study.csv", ROOT / "do
 HEAD = """# The study: what comes out of the hole, and why
 
 Made by `perf/study/page.py` from the runs of `perf/study/run.py`; do not edit. Page: {date}, commit {commit}, {machine}. The
-numbers are in [study.csv](study.csv), with the commit of every run and what it ran on (a CPU's runs take one thread). The paper is arXiv 2211.06142; its measured points and the data behind its
-curves are not available to us, so nothing here claims to match them.
+numbers are in [study.csv](study.csv), with the commit of every run and what it ran on (a CPU's runs take one thread). The
+paper is arXiv 2211.06142; its measured points and the data behind its curves are not available to us, so nothing here claims to match
+them.
 
     perf/study/run.py --list                  # the cases
     perf/study/run.py ssw-k4                  # one of them, with what it starts from; into runs/study/ssw-k4
@@ -105,6 +106,7 @@ def energy(rows: list[Row]) -> str:
     return table(["[µJ]", *(f">`{row['case']}`" for row in known)], lines) + "\n"
 
 
+OTHER_SAMPLES = ["ssw-k4", "ssw-k4-seed2", "ssw-k4-seed3"]  # the first with more controls than the one without water
 SAMPLES = [name for name, case in CASES.items() if case.start == f"{name}-perforated"]
 CONTROLLED = {"ssw": "Controls of `ssw`: one thing changed", "ssw-k4": "Controls of `ssw-k4`: one thing changed",
               "drawdown-20": "A series of drawdowns"}
@@ -155,6 +157,9 @@ def page(rows: list[Row], where: dict[str, str]) -> str:
         balance = energy(controls)
         if balance:
             parts.append("\nEnergy over the production:\n\n" + balance)
+    others = [row for row in rows if row["case"].removesuffix("-no-fluid") in OTHER_SAMPLES]
+    if any("seed" in row["case"] for row in others):
+        parts.append("\n## Three samples of k = 4, with and without water\n\n" + productions(others))
     for name, caption in findings.FIGURES.items():
         if (FIGURES / name).exists():
             parts.append(f"\n![{caption}](study/{name})\n\n*{caption}*\n")
