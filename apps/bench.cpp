@@ -30,7 +30,8 @@ void add_bench(CLI::App& app, BenchOptions& options)
     bench->add_option("--relax", options.relax, "steps under damping before all others, for a pack that was tiled")
         ->check(CLI::NonNegativeNumber);
     bench->add_option("--save", options.save, "text file to write the pack to that is measured");
-    bench->add_flag("--limits", options.limits, "measure a stream copy and multiply-adds too: the shares of them that are reached");
+    bench->add_flag("--limits", options.limits,
+                    "measure a stream copy and multiply-adds too: the shares of them that are reached");
     bench->add_flag("--json", options.json, "one JSON line per result (as always)");
 }
 

@@ -77,8 +77,8 @@ double multiply_add_rate()
 // Flops. An addition, product, quotient or root is one; a comparison, a selection or a change of sign none.
 //   a candidate:  offset 3, its square 5, reach 1; the gather on both sides 2 x 12
 //   a contact:    distance, normal, overlap, arms 16; approach 3; previous normal 31; spins and turn 30;
-//                 surface velocity 51; twist 9; spring's transport 38; dashpot, slip, sums 24; tangential spring and limits 35; moment 9;
-//                 Hertz 5, or JKR's curve 56 and its limit 2
+//                 surface velocity 51; twist 9; spring's transport 38; dashpot, slip, sums 24; tangential spring and limits
+//                 35; moment 9; Hertz 5, or JKR's curve 56 and its limit 2
 //   a grain:      weight 6, check 11, two half kicks 28, move 24
 StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_per_grain)
 {

@@ -12,7 +12,7 @@ namespace arenite {
 
 struct BenchPack {
     std::vector<Grain> grains;
-    Vec3 lower, upper;   // walls at lower x, y, z and upper x, y (the shared packs have no lid), m
+    Vec3 lower, upper; // walls at lower x, y, z and upper x, y (the shared packs have no lid), m
     std::string name;
 };
 
@@ -33,13 +33,13 @@ BenchPack tiled_pack(BenchPack const& pack, int along_x, int along_y);
 void write_pack(BenchPack const& pack, std::string const& path);
 
 struct BenchRun {
-    double seconds = 0;             // of the timed steps
+    double seconds = 0; // of the timed steps
     double seconds_evaluate = 0, seconds_integrate = 0, seconds_search = 0;
     long long steps = 0, searches = 0;
     int grains = 0;
     double candidates_per_grain = 0, contacts_per_grain = 0;
-    unsigned long long state_hash = 0; // of positions, velocities and spins in the order of the ids
-    double one_search = 0;             // s, of a search after the timed steps
+    unsigned long long state_hash = 0;    // of positions, velocities and spins in the order of the ids
+    double one_search = 0;                // s, of a search after the timed steps
     std::map<std::string, double> memory; // bytes after the timed steps, by View
     double peak_memory = 0;               // bytes, in the search
 

@@ -16,9 +16,9 @@
 namespace arenite {
 namespace {
 
-/// As many grains as the scene will have, in their sizes, about the sites of a cubic lattice that stands on the domain's floor.
-/// Its spacing is that at which random sizes have 2.6 contacts and 3.3 candidates a grain, as a pressed sample has; the overlaps
-/// are no sample's, so the grains must not move.
+/// As many grains as the scene will have, in their sizes, about the sites of a cubic lattice that stands on the domain's
+/// floor. Its spacing is that at which random sizes have 2.6 contacts and 3.3 candidates a grain, as a pressed sample has;
+/// the overlaps are no sample's, so the grains must not move.
 std::vector<Grain> lattice_of(Scene const& scene)
 {
     constexpr Real solid_fraction = 0.9, jitter = 0.3; // of the spacing, from end to end
@@ -46,7 +46,8 @@ std::vector<Grain> lattice_of(Scene const& scene)
             rank -= c.count;
         }
         grain.material = std::max(0, material_row(scene, scene.particles.material));
-        Vec3 const site{static_cast<Real>(n % along_x), static_cast<Real>(n / along_x % along_y), static_cast<Real>(n / along_x / along_y)};
+        Vec3 const site{static_cast<Real>(n % along_x), static_cast<Real>(n / along_x % along_y),
+                        static_cast<Real>(n / along_x / along_y)};
         Vec3 const off{random(0) - Real(0.5), random(1) - Real(0.5), random(2) - Real(0.5)};
         grain.position = region.lower + spacing * (site + Vec3{0.5, 0.5, 0.5} + jitter * off);
         grains.push_back(grain);
@@ -63,7 +64,8 @@ double time_steps(StageSetup& setup, RunState& state)
         cadence.until = steps;
         return seconds_of([&] {
                    while (state.clock.stage_step < steps) advance(setup, cadence, state);
-               }) / steps;
+               }) /
+               steps;
     };
     double const guess = run(5);
     return run(static_cast<int>(std::clamp(0.2 / guess, 5.0, 2000.0)));

@@ -33,11 +33,12 @@ long long print_classes(Scene const& scene, long long given)
     auto const classes = make_size_classes(distribution, scene.coarse_graining, size.x * size.y * size.z);
     long long total = 0;
     for (SizeClass const& c : classes) total += c.count;
-    print(fmt::format("grains: {} in {} classes, k = {:g}, mean-volume diameter of the original grains {:.5g} m", total, classes.size(),
-                      scene.coarse_graining.factor, mean_volume_diameter(distribution)));
+    print(fmt::format("grains: {} in {} classes, k = {:g}, mean-volume diameter of the original grains {:.5g} m", total,
+                      classes.size(), scene.coarse_graining.factor, mean_volume_diameter(distribution)));
     print("  class  original diameter (m)  grain diameter (m)  grains");
     for (std::size_t c = 0; c < classes.size(); ++c)
-        print(fmt::format("  {:5}  {:21.6g}  {:18.6g}  {:6}", c, classes[c].original_diameter, classes[c].diameter, classes[c].count));
+        print(fmt::format("  {:5}  {:21.6g}  {:18.6g}  {:6}", c, classes[c].original_diameter, classes[c].diameter,
+                          classes[c].count));
     return total;
 }
 
@@ -45,14 +46,16 @@ void print_time_steps(Scene const& scene, StagePlan const& plan)
 {
     if (scene.particles.source == ParticleSource::none || plan.empty()) return;
     TimeStepLimits const& limits = plan.front().limits;
-    print(fmt::format("critical time steps, smallest grain {:.4g} m: Rayleigh {:.4g} s, lattice limit at {:.3g} Pa {:.4g} s, contact "
-                      "period {:.4g} s",
-                      limits.smallest_diameter, limits.rayleigh, limits.pressure, limits.lattice, limits.contact_period));
+    print(fmt::format(
+        "critical time steps, smallest grain {:.4g} m: Rayleigh {:.4g} s, lattice limit at {:.3g} Pa {:.4g} s, contact "
+        "period {:.4g} s",
+        limits.smallest_diameter, limits.rayleigh, limits.pressure, limits.lattice, limits.contact_period));
     if (scene.particles.source != ParticleSource::distribution) return;
     Real const mean = std::round(mean_volume_diameter(scene.particles.distribution) * 1e5) / 1e5; // the paper's two digits
     int const row = std::max(0, material_row(scene, scene.particles.material));
     print(fmt::format("  Rayleigh of the mean-volume grain {:.3g} m: {:.4g} s at k = 1, {:.4g} s at k = {:g}", mean,
-                      rayleigh_time(scene.materials[row], mean / 2), rayleigh_time(scene.materials[row], scene.coarse_graining.factor * mean / 2),
+                      rayleigh_time(scene.materials[row], mean / 2),
+                      rayleigh_time(scene.materials[row], scene.coarse_graining.factor * mean / 2),
                       scene.coarse_graining.factor));
 }
 
@@ -62,15 +65,19 @@ void print_fluid(Scene const& scene)
     FluidSettings const& fluid = *scene.fluid;
     Region const box = fluid.box.value_or(Region{scene.domain.lower, scene.domain.upper});
     Vec3 const size = box.upper - box.lower;
-    print(fmt::format("fluid: {} x {} x {} cells of {:.4g} x {:.4g} x {:.4g} m{}", fluid.cells[0], fluid.cells[1], fluid.cells[2],
-                      size.x / fluid.cells[0], size.y / fluid.cells[1], size.z / fluid.cells[2],
-                      fluid.fit_wall.empty() ? "" : " (the box ends at wall \"" + fluid.fit_wall + "\" when the stage begins)"));
+    print(fmt::format("fluid: {} x {} x {} cells of {:.4g} x {:.4g} x {:.4g} m{}", fluid.cells[0], fluid.cells[1],
+                      fluid.cells[2], size.x / fluid.cells[0], size.y / fluid.cells[1], size.z / fluid.cells[2],
+                      fluid.fit_wall.empty() ? ""
+                                             : " (the box ends at wall \"" + fluid.fit_wall + "\" when the stage begins)"));
     if (scene.particles.source != ParticleSource::distribution) return;
     DistributionSettings const& d = scene.particles.distribution;
-    Real const k = scene.coarse_graining.factor, cell = std::min({size.x / fluid.cells[0], size.y / fluid.cells[1], size.z / fluid.cells[2]});
+    Real const k = scene.coarse_graining.factor,
+               cell = std::min({size.x / fluid.cells[0], size.y / fluid.cells[1], size.z / fluid.cells[2]});
     Real const largest = k * d.diameters.back();
-    print(fmt::format("  cell / diameter: {:.2f} of the mean-volume grain, {:.2f} of the largest; smoothing length {:.4g} m is {:.2f} of the largest",
-                      cell / (k * mean_volume_diameter(d)), cell / largest, fluid.smoothing_length, fluid.smoothing_length / largest));
+    print(fmt::format("  cell / diameter: {:.2f} of the mean-volume grain, {:.2f} of the largest; smoothing length {:.4g} m "
+                      "is {:.2f} of the largest",
+                      cell / (k * mean_volume_diameter(d)), cell / largest, fluid.smoothing_length,
+                      fluid.smoothing_length / largest));
 }
 
 /// What the stages cost here; those that run the same kernels are measured once.
@@ -80,7 +87,8 @@ public:
 
     StageCost const& of(PlannedStage const& stage)
     {
-        auto const key = std::make_tuple(stage.settings.contact.normal, stage.settings.fluid, stage.settings.local_damping > 0);
+        auto const key =
+            std::make_tuple(stage.settings.contact.normal, stage.settings.fluid, stage.settings.local_damping > 0);
         auto const found = known_.find(key);
         return found != known_.end() ? found->second : known_.emplace(key, measure_stage(scene_, stage)).first->second;
     }
@@ -99,7 +107,8 @@ private:
 
 std::string time_text(double seconds) { return seconds < 60 ? fmt::format("{:.1f} s", seconds) : duration_text(seconds); }
 
-std::string describe(PlannedStage const& stage, ExpectedSteps const& steps, double seconds, double grain_seconds, long long grains)
+std::string describe(PlannedStage const& stage, ExpectedSteps const& steps, double seconds, double grain_seconds,
+                     long long grains)
 {
     std::string line = fmt::format("  {}: dt {:.4g} s, ", stage.label, stage.dt);
     if (steps.count > 0) line += fmt::format("{} {:.4g} steps", steps.is_bound ? "at most" : "about", steps.count);
@@ -133,7 +142,8 @@ void print_stages(Scene const& scene, StagePlan const& plan, long long grains)
         fields += interval > 0 ? steps.count * stage.dt / interval + 1 : 2;
         print(describe(stage, steps, seconds, grain_seconds, grains));
     }
-    print(fmt::format("expected wall time: {}{} without output, as fast as the machine is now", is_bound ? "at most " : "", time_text(total)));
+    print(fmt::format("expected wall time: {}{} without output, as fast as the machine is now", is_bound ? "at most " : "",
+                      time_text(total)));
     print(fmt::format("memory: {:.1f} MB", 1e-6 * costs.memory()));
     print(fmt::format("output: about {:.1f} MB of fields", 1e-6 * fields * static_cast<double>(grains) * 90));
 }

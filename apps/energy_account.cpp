@@ -76,7 +76,8 @@ void add_step(StageSetup const& setup, RunState& state)
     EnergyAccount& account = *state.energy;
     Real jump = 0;
     WorkArray const power = measure_powers(setup, state, jump);
-    for (int n = 0; n < work_count; ++n) account.work.at(n) += Real(0.5) * setup.step.dt * (account.power.at(n) + power.at(n));
+    for (int n = 0; n < work_count; ++n)
+        account.work.at(n) += Real(0.5) * setup.step.dt * (account.power.at(n) + power.at(n));
     account.power = power;
     account.adhesion += jump;
 }

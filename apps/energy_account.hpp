@@ -14,8 +14,8 @@ namespace arenite {
 
 /// What is integrated over time, in the order of the arrays below.
 enum class Work : int {
-    walls,          // of moving walls on the grains
-    box,            // of the deforming box, or of the flow on which grains ride with a carrier
+    walls, // of moving walls on the grains
+    box,   // of the deforming box, or of the flow on which grains ride with a carrier
     gravity,
     drag,           // of the fluid, on the slip
     pressure,       // of the fluid, -grad p + div tau on the grains' volume
@@ -50,9 +50,10 @@ struct EnergySheet {
     StoredEnergy stored;
     WorkArray work{};
     Real loss_normal_damping = 0, loss_tangential = 0, loss_local_damping = 0;
-    Real loss_adhesion = 0; // stored energy that vanished where contacts formed, snapped or broke; negative where it appeared
+    // Stored energy that vanished where contacts formed, snapped or broke; negative where it appeared.
+    Real loss_adhesion = 0;
     Real removed = 0;
-    Real residual = 0;      // change of all energies - works + losses + removed: 0 but for the error of integration
+    Real residual = 0; // change of all energies - works + losses + removed: 0 but for the error of integration
 };
 
 /// Opens the account of a stage whose first forces stand, or of a resumed one whose checkpoint held none.

@@ -27,8 +27,8 @@ Real longest_travel(StageSettings const& stage)
     Real longest = 0;
     for (WallAction const& action : stage.walls)
         if (action.travel && action.velocity)
-            longest = std::max(longest, program_duration(action.ramp_time.value_or(0), *action.travel / norm(*action.velocity),
-                                                         action.and_back));
+            longest = std::max(longest, program_duration(action.ramp_time.value_or(0),
+                                                         *action.travel / norm(*action.velocity), action.and_back));
     return longest;
 }
 
@@ -39,15 +39,17 @@ ExpectedSteps expected_steps(PlannedStage const& planned)
     StageSettings const& stage = planned.settings;
     if (!(planned.dt > 0)) return {};
     double const bound = stage.duration > 0 ? std::ceil(stage.duration / planned.dt) : 0;
-    auto const within_bound = [&](double steps) { return ExpectedSteps{bound > 0 ? std::min(bound, std::ceil(steps)) : std::ceil(steps)}; };
+    auto const within_bound = [&](double steps) {
+        return ExpectedSteps{bound > 0 ? std::min(bound, std::ceil(steps)) : std::ceil(steps)};
+    };
     if (!stage.end.any()) return {bound};
     EndSettings travel_only;
     travel_only.wall_travel_done = true;
     if (stage.end == travel_only) return within_bound(longest_travel(stage) / planned.dt);
     if (planned.gap > 0) {
         // The plate closes the gap; then friction falls by 3.3 % every hundred steps, to a twentieth, until the pack is as
-        // dense as it is to be. This gives 17600 steps for scenes/paper/ssw.toml, 14400 for ssp.toml and 15800 for demo.toml;
-        // measured were 17800, 14300 and 6900. Longer stages follow, whose length is known.
+        // dense as it is to be. This gives 17600 steps for scenes/paper/ssw.toml, 14400 for ssp.toml and 15800 for
+        // demo.toml; measured were 17800, 14300 and 6900. Longer stages follow, whose length is known.
         constexpr double tuning = 9000;
         return within_bound(planned.gap / fastest_wall(stage) / planned.dt + tuning);
     }

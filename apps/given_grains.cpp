@@ -26,8 +26,8 @@ std::vector<Grain> grains_of_checkpoint(Scene const& scene)
     std::vector<Grain> grains = download(old);
     for (Grain const& grain : grains)
         if (grain.material >= static_cast<int>(scene.materials.size()))
-            throw InputError(fmt::format("{}: grain {} is of material number {}, the scene {} has {}", path, grain.id, grain.material,
-                                         scene.path, scene.materials.size()));
+            throw InputError(fmt::format("{}: grain {} is of material number {}, the scene {} has {}", path, grain.id,
+                                         grain.material, scene.path, scene.materials.size()));
     return grains;
 }
 

@@ -12,7 +12,8 @@ bool is_chosen(GrainGroupSettings const& group, Grain const& grain)
     if (holds(group.ids, static_cast<long long>(grain.id)) || holds(group.classes, grain.size_class)) return true;
     if (!group.region) return false;
     for (int axis = 0; axis < 3; ++axis)
-        if (grain.position[axis] < group.region->lower[axis] || grain.position[axis] > group.region->upper[axis]) return false;
+        if (grain.position[axis] < group.region->lower[axis] || grain.position[axis] > group.region->upper[axis])
+            return false;
     return true;
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 bool box_deforms(Scene const& scene)
 {
-    return std::any_of(scene.stages.begin(), scene.stages.end(), [](StageSettings const& stage) { return stage.box.has_value(); });
+    return std::any_of(scene.stages.begin(), scene.stages.end(),
+                       [](StageSettings const& stage) { return stage.box.has_value(); });
 }
 
 struct NamedValue {
@@ -59,10 +60,14 @@ std::vector<NamedValue> fluid_balance(std::optional<FluidTotals> const& fluid)
 
 std::vector<NamedValue> box_values(Vec3 const& size, Vec3 const& stress)
 {
-    return {{"box_x", size.x}, {"box_y", size.y}, {"box_z", size.z}, {"stress_x", stress.x}, {"stress_y", stress.y}, {"stress_z", stress.z}};
+    return {{"box_x", size.x},      {"box_y", size.y},      {"box_z", size.z},
+            {"stress_x", stress.x}, {"stress_y", stress.y}, {"stress_z", stress.z}};
 }
 
-void append(std::vector<NamedValue>& list, std::vector<NamedValue> const& more) { list.insert(list.end(), more.begin(), more.end()); }
+void append(std::vector<NamedValue>& list, std::vector<NamedValue> const& more)
+{
+    list.insert(list.end(), more.begin(), more.end());
+}
 
 } // namespace
 
@@ -80,7 +85,8 @@ std::vector<std::string> extra_columns(Scene const& scene)
 std::vector<std::optional<Real>> extra_values(Scene const& scene, Look const& look, RunState& state)
 {
     std::vector<NamedValue> columns;
-    if (box_deforms(scene)) append(columns, box_values(state.box.size(), mean_stress(state.particles, state.box, state.contacts, state.sums)));
+    if (box_deforms(scene))
+        append(columns, box_values(state.box.size(), mean_stress(state.particles, state.box, state.contacts, state.sums)));
     if (look.energy) append(columns, balance(*look.energy, look.grains));
     if (look.energy && scene.fluid) {
         std::optional<FluidTotals> fluid;

@@ -11,10 +11,8 @@
 #include <map>
 #include <vector>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 namespace Tools = Kokkos::Tools::Experimental;
 using Now = std::chrono::steady_clock;
@@ -78,8 +76,8 @@ std::string print(Table const& table, char const* title, double total)
                      [](auto const& a, auto const& b) { return a.second.seconds > b.second.seconds; });
     std::string text = fmt::format("{:<48} {:>10} {:>12} {:>8}\n", title, "calls", "seconds", "share");
     for (auto const& [name, row] : rows)
-        text += fmt::format("{:<48.48} {:>10} {:>12.6f} {:>6.2f} %\n", name, row.calls, row.seconds,
-                            100 * row.seconds / total);
+        text +=
+            fmt::format("{:<48.48} {:>10} {:>12.6f} {:>6.2f} %\n", name, row.calls, row.seconds, 100 * row.seconds / total);
     return text;
 }
 
@@ -98,8 +96,7 @@ std::string finish_kernel_times()
 {
     double const total = seconds_since(listener.begin);
     Tools::set_callbacks({});
-    return fmt::format("{}\n{}", print(listener.phases, "phase", total),
-                       print(listener.kernels, "kernel or copy", total));
+    return fmt::format("{}\n{}", print(listener.phases, "phase", total), print(listener.kernels, "kernel or copy", total));
 }
 
 } // namespace arenite

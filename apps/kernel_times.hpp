@@ -8,8 +8,7 @@
 
 #include <string>
 
-namespace arenite
-{
+namespace arenite {
 
 /// From here on times are taken. Throws InputError if another tool listens already.
 void start_kernel_times();

@@ -38,7 +38,9 @@ CLI::App* add_run(CLI::App& app, RunOptions& options)
     CLI::App* run = app.add_subcommand("run", "run a scene");
     run->add_option("scene", options.scene, "scene file (TOML)")->required();
     run->add_option("-o,--output", options.folder, "folder for the results; runs/<scene> unless named");
-    run->add_option("--set", options.overrides, "table.key=value, over what the scene says")->allow_extra_args(false)->take_all();
+    run->add_option("--set", options.overrides, "table.key=value, over what the scene says")
+        ->allow_extra_args(false)
+        ->take_all();
     run->add_option("--until", options.until, "stop after this stage or at this time (s)");
     run->add_option("--resume", options.checkpoint, "go on from the newest checkpoint, or from this one")->expected(0, 1);
     run->add_flag("-q,--quiet", options.quiet, "say nothing but warnings and errors");
@@ -106,7 +108,8 @@ int main(int argc, char** argv)
         // Its cases are small: a second thread gains nothing, and loses much where another program has the core.
         if (argc > 1 && std::strcmp(argv[1], "verify") == 0 && !std::getenv("OMP_NUM_THREADS"))
             setenv("KOKKOS_NUM_THREADS", "1", 0);
-        if (!asks_for_report(argc, argv)) Kokkos::initialize(argc, argv); // takes its own options (--kokkos-num-threads) away
+        if (!asks_for_report(argc, argv))
+            Kokkos::initialize(argc, argv); // takes its own options (--kokkos-num-threads) away
         app.parse(argc, argv);
         if (command.kernel_times) start_kernel_times();
         int const code = dispatch(app, command);

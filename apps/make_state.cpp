@@ -101,7 +101,8 @@ void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& st
     fluid.boundary = make_boundary(settings, fluid.flow.grid);
     fluid.solver = make_flow_solver(settings, fluid.flow);
     if (with_grains) fluid.exchange = make_exchange(fluid.flow, state.particles, settings, scene.coarse_graining.factor);
-    if (with_grains && scene.output.energies) state.particles.pressure_force = RecordView("pressure_force", state.particles.position.extent(0));
+    if (with_grains && scene.output.energies)
+        state.particles.pressure_force = RecordView("pressure_force", state.particles.position.extent(0));
 }
 
 Real smallest_grain_diameter(Particles const& particles)

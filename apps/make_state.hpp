@@ -30,7 +30,8 @@ struct KnownFluid {
 
 /// Makes the fluid when the stage has one and the run does not yet, and lets it go when the stage has none. Its box is that
 /// of a checkpoint, or what the scene says with the walls where they are.
-void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state, std::optional<KnownFluid> const& known = {});
+void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state,
+                   std::optional<KnownFluid> const& known = {});
 
 /// m; the scene-independent 1 m where there is no grain.
 Real smallest_grain_diameter(Particles const& particles);

@@ -11,7 +11,8 @@ namespace {
 std::vector<std::string> columns_of(ProbeSettings const& probe)
 {
     if (probe.grain)
-        return {"time", "stage", "step", "x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "fx", "fy", "fz", "tx", "ty", "tz"};
+        return {"time", "stage", "step", "x",  "y",  "z",  "vx", "vy", "vz",
+                "wx",   "wy",    "wz",   "fx", "fy", "fz", "tx", "ty", "tz"};
     return {"time", "stage", "step", "u", "v", "w", "pressure", "porosity"};
 }
 
@@ -39,7 +40,8 @@ void add_grain(std::vector<Cell>& cells, Particles const& particles, GrainId id)
 {
     int const row = find_row(particles, id);
     if (row < 0) return;
-    for (RecordView const& records : {particles.position, particles.velocity, particles.spin, particles.force, particles.torque})
+    for (RecordView const& records :
+         {particles.position, particles.velocity, particles.spin, particles.force, particles.torque})
         add_record(cells, records, row);
 }
 
@@ -73,7 +75,8 @@ void add_cell(std::vector<Cell>& cells, Flow const& flow, Vec3 const& point)
 Probes::Probes(std::filesystem::path const& folder, OutputSettings const& output, std::optional<ResumePoint> const& resume)
 {
     for (ProbeSettings const& probe : output.probes)
-        probes_.push_back({probe, TimeSeries(folder / ("probe-" + probe.name + ".csv"), columns_of(probe), rows_until(resume))});
+        probes_.push_back(
+            {probe, TimeSeries(folder / ("probe-" + probe.name + ".csv"), columns_of(probe), rows_until(resume))});
 }
 
 void Probes::write(RunState const& state, std::string const& stage)

@@ -28,8 +28,8 @@ fs::path package_folder()
     fs::path const installed = program.parent_path() / ARENITE_REPORT_INSTALLED;
     if (!program.empty() && fs::exists(installed / "arenite_report", none)) return installed.lexically_normal();
     if (fs::exists(fs::path(ARENITE_REPORT_SOURCE) / "arenite_report", none)) return ARENITE_REPORT_SOURCE;
-    throw SimulationError(fmt::format("the report's Python files are neither in {} nor in {}", installed.lexically_normal().string(),
-                                      ARENITE_REPORT_SOURCE));
+    throw SimulationError(fmt::format("the report's Python files are neither in {} nor in {}",
+                                      installed.lexically_normal().string(), ARENITE_REPORT_SOURCE));
 }
 
 /// The user's choice, that of the set-up, or what PATH has.
@@ -47,9 +47,10 @@ int run_and_wait(std::vector<std::string> words)
     arguments.push_back(nullptr);
     pid_t child = 0;
     if (int const error = posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ); error != 0)
-        throw SimulationError(fmt::format("the report needs Python, and {} cannot be started: {}. ./run.sh installs one into deps/python; "
-                                          "ARENITE_PYTHON=/path/to/python3 names another",
-                                          words[0], std::strerror(error)));
+        throw SimulationError(
+            fmt::format("the report needs Python, and {} cannot be started: {}. ./run.sh installs one into deps/python; "
+                        "ARENITE_PYTHON=/path/to/python3 names another",
+                        words[0], std::strerror(error)));
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
@@ -61,16 +62,16 @@ void add_report(CLI::App& app, ReportOptions& options)
 {
     CLI::App* report = app.add_subcommand("report", "report.html with the pictures and tables of one or several runs");
     report->add_option("folders", options.folders, "run folders, side by side")->required();
-    report->add_option("-o,--output", options.output, "the page, or a folder for it; report.html in the first folder unless named");
-    report->add_option("--measured", options.measured, "CSV of measured points (t, M) to compare with; may be repeated")->allow_extra_args(false);
+    report->add_option("-o,--output", options.output,
+                       "the page, or a folder for it; report.html in the first folder unless named");
+    report->add_option("--measured", options.measured, "CSV of measured points (t, M) to compare with; may be repeated")
+        ->allow_extra_args(false);
     report->add_option("--reference", options.reference, "run folder that the others are compared with (the original)");
-    report->add_option("--scaling", options.scaling, "CSV of wall times: case, threads, wall_time; may be repeated")->allow_extra_args(false);
+    report->add_option("--scaling", options.scaling, "CSV of wall times: case, threads, wall_time; may be repeated")
+        ->allow_extra_args(false);
 }
 
-bool asks_for_report(int argc, char const* const* argv)
-{
-    return argc > 1 && std::string_view(argv[1]) == "report";
-}
+bool asks_for_report(int argc, char const* const* argv) { return argc > 1 && std::string_view(argv[1]) == "report"; }
 
 int write_report(ReportOptions const& options)
 {

@@ -51,7 +51,8 @@ fs::path folder_of(RunOptions const& options)
 RunState resumed_state(RunOptions const& options, fs::path const& folder, Scene const& scene, StagePlan const& plan)
 {
     std::error_code unreadable;
-    if (!fs::is_directory(folder, unreadable)) throw InputError(fmt::format("--resume: there is no run in {}", folder.string()));
+    if (!fs::is_directory(folder, unreadable))
+        throw InputError(fmt::format("--resume: there is no run in {}", folder.string()));
     std::vector<std::string> messages;
     std::optional<fs::path> path;
     if (!options.checkpoint.empty()) path = options.checkpoint;
@@ -63,7 +64,9 @@ RunState resumed_state(RunOptions const& options, fs::path const& folder, Scene 
     if (!path) throw InputError(fmt::format("--resume: no checkpoint of this scene in {}", folder.string()));
     RunState state = load_checkpoint(*path, scene, plan);
     if (!options.quiet)
-        std::fputs(fmt::format("resumed from {}: step {}, {:.6g} s\n", path->string(), state.clock.step, state.clock.time()).c_str(), stdout);
+        std::fputs(fmt::format("resumed from {}: step {}, {:.6g} s\n", path->string(), state.clock.step, state.clock.time())
+                       .c_str(),
+                   stdout);
     return state;
 }
 
@@ -89,7 +92,9 @@ int stopped_by_signal(RunOptions const& options, fs::path const& folder, RunStat
     for (std::string const& change : options.overrides) command += fmt::format(" --set '{}'", change);
     std::string const how = can_write_checkpoints() ? fmt::format("to go on: {} --resume", command)
                                                     : "this build writes no checkpoints: it has to begin anew";
-    std::fputs(fmt::format("stopped by {} after step {}, {:.6g} s; {}\n", name, state.clock.step, state.clock.time(), how).c_str(), stderr);
+    std::fputs(
+        fmt::format("stopped by {} after step {}, {:.6g} s; {}\n", name, state.clock.step, state.clock.time(), how).c_str(),
+        stderr);
     return 128 + stop_signal();
 }
 

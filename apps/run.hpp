@@ -13,7 +13,7 @@ struct RunOptions {
     std::vector<std::string> overrides; // table.key=value
     std::string until;                  // name of a stage, or a time in s
     bool resume = false;
-    std::string checkpoint;             // "": the newest one in the folder
+    std::string checkpoint; // "": the newest one in the folder
     bool quiet = false;
 };
 

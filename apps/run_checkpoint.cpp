@@ -72,7 +72,8 @@ void save_energy(CheckpointWriter& out, EnergyAccount const& account)
 EnergyAccount load_energy(CheckpointReader const& in)
 {
     EnergyAccount account;
-    std::vector<Real> const power = in.array<Real>("energy/power"), work = in.array<Real>("energy/work"), sums = in.array<Real>("energy/sums");
+    std::vector<Real> const power = in.array<Real>("energy/power"), work = in.array<Real>("energy/work"),
+                            sums = in.array<Real>("energy/sums");
     for (int n = 0; n < work_count; ++n) {
         account.power.at(n) = power.at(n);
         account.work.at(n) = work.at(n);
@@ -145,7 +146,8 @@ GrainGroups load_groups(CheckpointReader const& in, std::size_t count)
     groups.held = load("held");
     std::vector<GrainId> const ids = in.array<GrainId>("groups/forced");
     std::vector<Real> const forces = in.array<Real>("groups/force");
-    for (std::size_t i = 0; i < ids.size(); ++i) groups.force[ids[i]] = {forces.at(3 * i), forces.at(3 * i + 1), forces.at(3 * i + 2)};
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        groups.force[ids[i]] = {forces.at(3 * i), forces.at(3 * i + 1), forces.at(3 * i + 2)};
     return groups;
 }
 
@@ -183,7 +185,8 @@ void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage con
     Particles const held = state.particles; // forces held between fluid steps
     std::vector<Real> const b = in.array<Real>("fluid_box");
     bool const with_grains = in.value<int>("fluid/with_grains") != 0;
-    prepare_fluid(scene, planned, state, KnownFluid{{{b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)}}, with_grains});
+    prepare_fluid(scene, planned, state,
+                  KnownFluid{{{b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)}}, with_grains});
     if (held.fluid_force.is_allocated()) state.particles.fluid_force = held.fluid_force;
     if (held.coasting.is_allocated()) state.particles.coasting = held.coasting;
     if (held.pressure_force.is_allocated()) state.particles.pressure_force = held.pressure_force;
@@ -206,8 +209,7 @@ void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage con
 
 } // namespace
 
-std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointStamp const& stamp,
-                        std::uint64_t inputs)
+std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointStamp const& stamp, std::uint64_t inputs)
 {
     auto const last = std::find_if(plan.begin(), plan.end(), [&](auto const& p) { return p.label == stamp.stage; });
     if (last == plan.end()) return 0;
@@ -228,7 +230,8 @@ std::uint64_t past_hash(Scene const& scene, StagePlan const& plan, CheckpointSta
 void save_checkpoint(std::filesystem::path const& path, Scene const& scene, StagePlan const& plan, RunState& state,
                      bool stage_end)
 {
-    CheckpointStamp stamp{state.clock.step, state.clock.time(), plan[state.clock.stage - (stage_end ? 1 : 0)].label, stage_end};
+    CheckpointStamp stamp{state.clock.step, state.clock.time(), plan[state.clock.stage - (stage_end ? 1 : 0)].label,
+                          stage_end};
     stamp.scene_hash = past_hash(scene, plan, stamp, state.inputs);
     CheckpointWriter out(path, stamp);
     for_each_number(state, [&](std::string const& name, auto const& number) { out.value(name, number); });
@@ -251,7 +254,8 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
     CheckpointReader const in(path);
     RunState state = make_run_state(scene);
     in.require_scene(past_hash(scene, plan, in.stamp(), state.inputs));
-    for_each_number(state, [&](std::string const& name, auto& number) { number = in.value<std::decay_t<decltype(number)>>(name); });
+    for_each_number(state,
+                    [&](std::string const& name, auto& number) { number = in.value<std::decay_t<decltype(number)>>(name); });
     for_each_array(state, [&](std::string const& name, auto& view) {
         view = {};
         if (in.has(name)) in.view(name, view);

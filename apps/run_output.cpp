@@ -46,7 +46,8 @@ double seconds_since(std::chrono::steady_clock::time_point start)
 RunOutput::RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan const& plan,
                      std::optional<ResumePoint> const& resume, int first_stage, bool quiet)
     : folder_(std::move(folder)), resume_(resume), scene_(scene), plan_(plan), history_(folder_, columns_of(scene), resume),
-      ledger_(folder_, resume), probes_(folder_, scene.output, resume), run_begin_(std::chrono::steady_clock::now()), quiet_(quiet)
+      ledger_(folder_, resume), probes_(folder_, scene.output, resume), run_begin_(std::chrono::steady_clock::now()),
+      quiet_(quiet)
 {
     summary_.scene = scene.path;
     summary_.title = scene.title;
@@ -64,7 +65,8 @@ void RunOutput::open()
 {
     make_folder(folder_);
     remove_unfinished(folder_);
-    // Later checkpoints go first: were the tables cut before them, a kill in between would leave a checkpoint without its rows.
+    // Later checkpoints go first: were the tables cut before them, a kill in between would leave a checkpoint
+    // without its rows.
     drop_checkpoints_after(folder_, resume_ ? resume_->step : -1);
     flush_tables();
     fields_.emplace(folder_, resume_);
@@ -82,7 +84,8 @@ OutputCadence RunOutput::cadence(PlannedStage const& planned) const
     OutputCadence cadence;
     cadence.history = steps_of(history, planned.dt);
     if (cadence.history == 0)
-        cadence.history = stage.duration > 0 && !stage.end.any() ? steps_of(stage.duration / 100, planned.dt) : rows_without_duration;
+        cadence.history =
+            stage.duration > 0 && !stage.end.any() ? steps_of(stage.duration / 100, planned.dt) : rows_without_duration;
     cadence.fields = steps_of(stage.field_interval.value_or(output.field_interval), planned.dt);
     cadence.checkpoint = steps_of(stage.checkpoint_interval.value_or(output.checkpoint_interval), planned.dt);
     return cadence;
@@ -99,9 +102,11 @@ void RunOutput::begin_stage(PlannedStage const& planned, RunState const& state)
     TimeStepLimits const& limits = planned.limits;
     std::string line = fmt::format("{}: {} grains", planned.label, state.particles.count);
     if (planned.dt > 0) line += fmt::format(", dt {:.4g} s", planned.dt);
-    if (planned.dt > 0 && limits.rayleigh > 0) line += fmt::format(", {:.1f} % of Rayleigh's time", 100 * planned.dt / limits.rayleigh);
+    if (planned.dt > 0 && limits.rayleigh > 0)
+        line += fmt::format(", {:.1f} % of Rayleigh's time", 100 * planned.dt / limits.rayleigh);
     if (planned.dt > 0 && limits.lattice > 0)
-        line += fmt::format(", {:.1f} % of the lattice limit at {:.3g} Pa", 100 * planned.dt / limits.lattice, limits.pressure);
+        line +=
+            fmt::format(", {:.1f} % of the lattice limit at {:.3g} Pa", 100 * planned.dt / limits.lattice, limits.pressure);
     say(line);
     warn_of_little_space(state);
 }
@@ -115,8 +120,8 @@ void RunOutput::warn_of_little_space(RunState const& state)
     std::error_code unknown;
     auto const space = std::filesystem::space(folder_, unknown);
     if (unknown || !can_write_checkpoints() || static_cast<double>(space.available) > needed) return;
-    warn("disk", fmt::format("{}: {:.3g} MB are free, and three checkpoints take about {:.3g} MB", folder_.string(), 1e-6 * static_cast<double>(space.available),
-                             1e-6 * needed));
+    warn("disk", fmt::format("{}: {:.3g} MB are free, and three checkpoints take about {:.3g} MB", folder_.string(),
+                             1e-6 * static_cast<double>(space.available), 1e-6 * needed));
 }
 
 void RunOutput::write_start(RunState& state, Look const& look)
@@ -145,10 +150,12 @@ void RunOutput::write_history(RunState& state, Look const& look)
     if (state.fluid) row.flow = state.fluid->report;
     row.extra = extra_values(scene_, look, state);
     history_.add(row);
-    constexpr Real hertz_limit = 0.1; // contact radius 0.3 of the grain's: beyond, the half-spaces of the contact laws are none
+    // A contact radius of 0.3 of the grain's: beyond, the half-spaces of the contact laws are none.
+    constexpr Real hertz_limit = 0.1;
     if (row.max_overlap_ratio > hertz_limit)
-        warn("overlap", fmt::format("step {}: an overlap of {:.3g} of the smaller radius is beyond what the contact laws hold for ({})",
-                                    state.clock.step, row.max_overlap_ratio, hertz_limit));
+        warn("overlap",
+             fmt::format("step {}: an overlap of {:.3g} of the smaller radius is beyond what the contact laws hold for ({})",
+                         state.clock.step, row.max_overlap_ratio, hertz_limit));
     probes_.write(state, planned_->label);
 }
 
@@ -180,12 +187,13 @@ void RunOutput::fluid_warnings(RunState const& state)
     if (!state.fluid) return;
     ExchangeReport const& report = state.fluid->exchange.report;
     if (report.limited_cells > 0)
-        warn("porosity_limited", fmt::format("step {}: {} cells held more grains than the minimum porosity allows ({:.4g}); {:.3g} m3 "
-                                             "of grains are unseen by the fluid",
-                                             state.clock.step, report.limited_cells, report.lowest_porosity, report.limited_volume));
+        warn("porosity_limited",
+             fmt::format("step {}: {} cells held more grains than the minimum porosity allows ({:.4g}); {:.3g} m3 "
+                         "of grains are unseen by the fluid",
+                         state.clock.step, report.limited_cells, report.lowest_porosity, report.limited_volume));
     if (!state.fluid->report.converged)
-        warn("pressure_not_converged", fmt::format("step {}: the pressure solve stopped at a relative residual of {:.3g}", state.clock.step,
-                                                   state.fluid->report.pressure_residual));
+        warn("pressure_not_converged", fmt::format("step {}: the pressure solve stopped at a relative residual of {:.3g}",
+                                                   state.clock.step, state.fluid->report.pressure_residual));
 }
 
 void RunOutput::write_due(StageSetup const& setup, RunState& state, StageWatch& watch, bool ended)
@@ -195,9 +203,11 @@ void RunOutput::write_due(StageSetup const& setup, RunState& state, StageWatch& 
     if (ended || OutputCadence::due(cadence_.history, step)) write_history(state, watch.look(setup, state));
     if (ended || OutputCadence::due(cadence_.fields, step)) write_fields(state);
     fluid_warnings(state);
-    stage().particle_steps = static_cast<Real>(state.particles.count) * static_cast<Real>(state.clock.step - stage_first_step_);
+    stage().particle_steps =
+        static_cast<Real>(state.particles.count) * static_cast<Real>(state.clock.step - stage_first_step_);
     if (!quiet_)
-        progress_.update({planned_->label, state.clock.stage_time(), planned_->settings.duration, state.clock.step, state.particles.count});
+        progress_.update({planned_->label, state.clock.stage_time(), planned_->settings.duration, state.clock.step,
+                          state.particles.count});
 }
 
 void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& watch, std::string const& ended_by)
@@ -220,7 +230,8 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
     for (int w = 0; w < state.walls.count(); ++w) {
         if (!state.walls.state[w].present) continue;
         WallSummary wall{state.walls.settings[w].name, look.walls[w].force, {}};
-        if (state.walls.settings[w].shape == WallShape::plane) wall.stress = wall_stress(state.walls, w, look.walls[w], 0, state.box);
+        if (state.walls.settings[w].shape == WallShape::plane)
+            wall.stress = wall_stress(state.walls, w, look.walls[w], 0, state.box);
         s.walls.push_back(wall);
     }
     s.values["elastic_energy_J"] = look.contacts.energy();
@@ -230,20 +241,25 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
     s.values["searches"] = static_cast<Real>(setup.searches);
     if (state.tuned_friction >= 0) s.values["tuned_friction"] = state.tuned_friction;
     if (watch.highest_step_ratio() > 1)
-        warn("time_step", fmt::format("{}: the stiffest contact would need a step {:.2f} times smaller to be surely stable", planned_->label,
-                                      watch.highest_step_ratio()));
+        warn("time_step", fmt::format("{}: the stiffest contact would need a step {:.2f} times smaller to be surely stable",
+                                      planned_->label, watch.highest_step_ratio()));
     flush_tables();
     finish("running"); // so that a kill later leaves what is known now
     if (state.particles.count == 0)
-        return say(fmt::format("{}: {} after {:.6g} s and {} steps, {:.1f} s", planned_->label, ended_by, s.simulated_time, s.steps, s.wall_time));
-    say(fmt::format("{}: {} after {:.6g} s and {} steps; porosity {:.4f}, {:.2f} contacts a grain, {} bonds, kinetic over elastic energy "
+        return say(fmt::format("{}: {} after {:.6g} s and {} steps, {:.1f} s", planned_->label, ended_by, s.simulated_time,
+                               s.steps, s.wall_time));
+    say(fmt::format("{}: {} after {:.6g} s and {} steps; porosity {:.4f}, {:.2f} contacts a grain, {} bonds, kinetic over "
+                    "elastic energy "
                     "{:.2e}; {:.1f} s, {:.3g} particle-steps/s",
-                    planned_->label, ended_by, s.simulated_time, s.steps, s.porosity.value_or(1), s.coordination.value_or(0), s.bonds,
-                    look.contacts.energy() > 0 ? s.kinetic_energy / look.contacts.energy() : 0, s.wall_time,
+                    planned_->label, ended_by, s.simulated_time, s.steps, s.porosity.value_or(1), s.coordination.value_or(0),
+                    s.bonds, look.contacts.energy() > 0 ? s.kinetic_energy / look.contacts.energy() : 0, s.wall_time,
                     s.wall_time > 0 ? s.particle_steps / s.wall_time : 0));
 }
 
-bool RunOutput::checkpoint_is_due(RunState const& state) const { return OutputCadence::due(cadence_.checkpoint, state.clock.stage_step); }
+bool RunOutput::checkpoint_is_due(RunState const& state) const
+{
+    return OutputCadence::due(cadence_.checkpoint, state.clock.stage_step);
+}
 
 void RunOutput::write_checkpoint(RunState& state, bool stage_end)
 {
@@ -257,8 +273,8 @@ void RunOutput::write_checkpoint(RunState& state, bool stage_end)
 Real RunOutput::write_produced(Grain const& grain, RunState const& state)
 {
     Real const mass = scene_.materials[grain.material].density * 3.14159265358979323846 / 6 * std::pow(grain.diameter, 3);
-    ledger_.add({state.clock.time(), grain.id, grain.size_class, grain.diameter, scene_.coarse_graining.factor, mass, grain.position,
-                 grain.velocity});
+    ledger_.add({state.clock.time(), grain.id, grain.size_class, grain.diameter, scene_.coarse_graining.factor, mass,
+                 grain.position, grain.velocity});
     return mass;
 }
 
@@ -270,7 +286,9 @@ void RunOutput::warn(std::string const& kind, std::string const& message)
     std::int64_t const count = ++warnings_[{planned_->scene_stage, kind}];
     if (count > shown) return;
     progress_.clear();
-    std::fputs(fmt::format("warning: {}{}\n", message, count == shown ? " (more of this kind are only counted)" : "").c_str(), stderr);
+    std::fputs(
+        fmt::format("warning: {}{}\n", message, count == shown ? " (more of this kind are only counted)" : "").c_str(),
+        stderr);
 }
 
 void RunOutput::say(std::string const& message)

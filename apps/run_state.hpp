@@ -20,11 +20,11 @@ namespace arenite {
 
 /// Where the run is. Counts, never sums of steps: times are made from them.
 struct Clock {
-    int stage = 0;                // in the plan
-    std::int64_t step = 0;        // grain steps since the start of the run
-    std::int64_t stage_step = 0;  // since the start of the stage
-    Real stage_start = 0;         // s
-    Real dt = 0;                  // s, of the stage
+    int stage = 0;               // in the plan
+    std::int64_t step = 0;       // grain steps since the start of the run
+    std::int64_t stage_step = 0; // since the start of the stage
+    Real stage_start = 0;        // s
+    Real dt = 0;                 // s, of the stage
 
     Real time() const { return stage_start + static_cast<Real>(stage_step) * dt; }
     Real stage_time() const { return static_cast<Real>(stage_step) * dt; }
@@ -32,7 +32,7 @@ struct Clock {
 
 /// The fluid's part; a run whose stages have no fluid never makes one.
 struct FluidState {
-    Region box;                  // m, settled when the fluid was made
+    Region box; // m, settled when the fluid was made
     Flow flow;
     FlowBoundary boundary;
     FlowSolver solver;
@@ -41,9 +41,9 @@ struct FluidState {
 };
 
 struct Tally {
-    Real produced_mass = 0;          // kg
+    Real produced_mass = 0; // kg
     std::int64_t produced_count = 0;
-    std::int64_t lost_count = 0;     // grains that left the domain other than through the outlet
+    std::int64_t lost_count = 0; // grains that left the domain other than through the outlet
 };
 
 struct RunState {
@@ -51,7 +51,7 @@ struct RunState {
     Particles particles;
     GrainGroups groups;
     PeriodicBox box;
-    Vec3 lasting_strain_rate;        // 1/s, of the axes of the box that hold a stress: their servos' memory
+    Vec3 lasting_strain_rate; // 1/s, of the axes of the box that hold a stress: their servos' memory
     Walls walls;
     ContactList contacts;
     std::uint64_t inputs = 0; // hash_of_inputs when the run or its resume began: the files are needed no longer
@@ -59,11 +59,11 @@ struct RunState {
     Integrator integrator;
     std::unique_ptr<FluidState> fluid;
     std::optional<EnergyAccount> energy; // where the scene asks for a balance
-    Tally tally, stage_tally;        // now, and when the stage began
-    Real skin = 0;                   // m, adapts to how often the list goes stale
-    std::int64_t last_search = 0;    // step
-    Real tuned_friction = -1;        // of the running stage while it tunes; below 0: the material's own
-    SumWorkspace sums;               // scratch
+    Tally tally, stage_tally;            // now, and when the stage began
+    Real skin = 0;                       // m, adapts to how often the list goes stale
+    std::int64_t last_search = 0;        // step
+    Real tuned_friction = -1;            // of the running stage while it tunes; below 0: the material's own
+    SumWorkspace sums;                   // scratch
 };
 
 } // namespace arenite

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/periodic_box.hpp"
-#include "core/walls.hpp"
 #include "core/wall_motion.hpp"
+#include "core/walls.hpp"
 
 namespace arenite {
 

@@ -19,8 +19,8 @@ template <class Law> auto pair_terms(Law const& law, RunState& state, View1<std:
 template <class Law> auto wall_terms(Law const& law, RunState& state, View1<std::uint8_t> const& adhered, Vec3 const& origin)
 {
     Particles const& p = state.particles;
-    return WallPower<Law>{law.pairs, state.wall_contacts, state.walls.views, p.position, p.velocity, p.spin, p.material, adhered, state.box,
-                          origin};
+    return WallPower<Law>{law.pairs, state.wall_contacts, state.walls.views, p.position, p.velocity,
+                          p.spin,    p.material,          adhered,           state.box,  origin};
 }
 
 template <class Law> Terms<3> pair_energies(Law const& law, RunState& state)
@@ -33,8 +33,9 @@ template <class Law> Terms<3> pair_energies(Law const& law, RunState& state)
 template <class Law> Terms<3> wall_energies(Law const& law, RunState& state)
 {
     Particles const& p = state.particles;
-    return reproducible_sums<3>(state.sums, "wall_energy", state.wall_contacts.count,
-                                WallEnergy<Law>{law.pairs, state.wall_contacts, state.walls.views, p.position, p.velocity, p.material});
+    return reproducible_sums<3>(
+        state.sums, "wall_energy", state.wall_contacts.count,
+        WallEnergy<Law>{law.pairs, state.wall_contacts, state.walls.views, p.position, p.velocity, p.material});
 }
 
 void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunState& state, StageForces& forces)
@@ -42,16 +43,16 @@ void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunSt
     forces.pair_power = [&state, law](View1<std::uint8_t> const& adhered) {
         return std::visit(
             [&](auto const& l) {
-                return contact_power(
-                    reproducible_sums<6>(state.sums, "pair_power", blocks_of(state.contacts), pair_terms(l, state, adhered)));
+                return contact_power(reproducible_sums<6>(state.sums, "pair_power", blocks_of(state.contacts),
+                                                          pair_terms(l, state, adhered)));
             },
             law);
     };
     forces.wall_power = [&state, wall_law](View1<std::uint8_t> const& adhered, Vec3 const& origin) {
         return std::visit(
             [&](auto const& l) {
-                return contact_power(
-                    reproducible_sums<6>(state.sums, "wall_power", state.wall_contacts.count, wall_terms(l, state, adhered, origin)));
+                return contact_power(reproducible_sums<6>(state.sums, "wall_power", state.wall_contacts.count,
+                                                          wall_terms(l, state, adhered, origin)));
             },
             wall_law);
     };

@@ -12,13 +12,13 @@ namespace arenite {
 
 struct StageForces {
     ContactNeeds needs, wall_needs;
-    std::function<void(Real dt)> evaluate;             // forces of grains and walls where everything is now
-    std::function<ContactReport()> report;             // energies and counts of the grains' contacts
+    std::function<void(Real dt)> evaluate; // forces of grains and walls where everything is now
+    std::function<ContactReport()> report; // energies and counts of the grains' contacts
 
     // For a balance sheet. adhered: the contacts' flags before the last evaluation; origin: of the box's strain, m.
     std::function<ContactPower(View1<std::uint8_t> const& adhered)> pair_power;
     std::function<ContactPower(View1<std::uint8_t> const& adhered, Vec3 const& origin)> wall_power;
-    std::function<StoredEnergy()> stored;              // of all contacts, walls included
+    std::function<StoredEnergy()> stored; // of all contacts, walls included
 };
 
 /// Binds the laws of the planned stage to the state, which must outlive the result. friction below 0: the

@@ -13,13 +13,15 @@
 namespace arenite {
 namespace {
 
-Cadence make_cadence(PlannedStage const& planned, StageWatch const& watch, Until const& until, Clock clock, RunOutput const& output)
+Cadence make_cadence(PlannedStage const& planned, StageWatch const& watch, Until const& until, Clock clock,
+                     RunOutput const& output)
 {
     Cadence cadence{planned.coupling_interval, watch.last_step(), 0, output.cadence(planned)};
     if (!until.time || !(planned.dt > 0)) return cadence;
     Real const steps = std::ceil((*until.time - clock.stage_start) / planned.dt) - 2; // and the first step that is there
     if (!(steps < Real(1e15))) return cadence;
-    for (clock.stage_step = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps)); !until.reached(clock.time());) ++clock.stage_step;
+    for (clock.stage_step = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps)); !until.reached(clock.time());)
+        ++clock.stage_step;
     cadence.until = clock.stage_step;
     return cadence;
 }
@@ -125,7 +127,8 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
                 return *ended;
             }
             if (!first && output.checkpoint_is_due(state)) output.write_checkpoint(state, false);
-            if (step == cadence.until) output.write_fields(state); // no row of the history: the table is that of a run without a stop
+            if (step == cadence.until)
+                output.write_fields(state); // no row of the history: the table is that of a run without a stop
         }
         bool const past_until = cadence.until > 0 && step >= cadence.until;
         if (!first && (past_until || stop_signal() != 0)) {

@@ -15,8 +15,8 @@ struct StageSetup;
 
 /// Where a run is to stop early; nothing: at its end.
 struct Until {
-    std::string stage;          // after the stage of this name
-    std::optional<Real> time;   // s
+    std::string stage;        // after the stage of this name
+    std::optional<Real> time; // s
 
     bool reached(Real now) const { return time && now >= *time * (1 - Real(1e-12)); }
 };

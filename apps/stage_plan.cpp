@@ -17,7 +17,8 @@ namespace {
 
 WallAction const* servo_action(StageSettings const& stage)
 {
-    auto const found = std::find_if(stage.walls.begin(), stage.walls.end(), [](auto const& a) { return a.servo.has_value(); });
+    auto const found =
+        std::find_if(stage.walls.begin(), stage.walls.end(), [](auto const& a) { return a.servo.has_value(); });
     return found == stage.walls.end() ? nullptr : &*found;
 }
 
@@ -27,7 +28,8 @@ Real solid_volume(Scene const& scene)
     Region const region = scene.particles.distribution.region.value_or(Region{scene.domain.lower, scene.domain.upper});
     Vec3 const size = region.upper - region.lower;
     Real volume = 0;
-    for (SizeClass const& c : make_size_classes(scene.particles.distribution, scene.coarse_graining, size.x * size.y * size.z))
+    for (SizeClass const& c :
+         make_size_classes(scene.particles.distribution, scene.coarse_graining, size.x * size.y * size.z))
         volume += c.count * 3.14159265358979323846 / 6 * std::pow(c.diameter, 3);
     return volume;
 }
@@ -49,7 +51,8 @@ StageSettings densify_part(Scene const& scene, StageSettings const& stage, WallA
 {
     constexpr Real dry_porosity = 0.41;
     Real const porosity = (stage.target_porosity > 0 ? stage.target_porosity : dry_porosity) + looser;
-    auto const wall = std::find_if(scene.walls.begin(), scene.walls.end(), [&](auto const& w) { return w.name == press.wall; });
+    auto const wall =
+        std::find_if(scene.walls.begin(), scene.walls.end(), [&](auto const& w) { return w.name == press.wall; });
     Vec3 const axis = normalized(press.servo->axis);
     Real const height = sample_height(scene, press, porosity);
     Vec3 const start = wall->shape == WallShape::plane ? wall->point : wall->base;
@@ -64,7 +67,8 @@ StageSettings densify_part(Scene const& scene, StageSettings const& stage, WallA
     part.carrier = press.wall;
     part.target_porosity = 0;
     part.local_damping = std::max(stage.local_damping, Real(0.7));
-    WallAction& action = *std::find_if(part.walls.begin(), part.walls.end(), [&](auto const& a) { return a.wall == press.wall; });
+    WallAction& action =
+        *std::find_if(part.walls.begin(), part.walls.end(), [&](auto const& a) { return a.wall == press.wall; });
     action.servo.reset();
     if (travel > 0) {
         action.velocity = press.servo->max_speed * 10 * axis;
@@ -106,7 +110,8 @@ StageSettings relax_part(StageSettings const& stage)
 void expand(Scene const& scene, int row, StagePlan& plan)
 {
     StageSettings const& stage = scene.stages[row];
-    auto const add = [&](StageSettings const& settings, std::string const& label, CompressionPart part = CompressionPart::none) {
+    auto const add = [&](StageSettings const& settings, std::string const& label,
+                         CompressionPart part = CompressionPart::none) {
         PlannedStage planned;
         planned.part = part;
         planned.settings = settings;
@@ -144,9 +149,10 @@ int settled_coupling_interval(Scene const& scene, PlannedStage& planned)
         return std::max(1, needed);
     }
     if (std::fabs(ratio - steps) > Real(1e-6) * steps)
-        throw InputError(fmt::format("{}: fluid.time_step = {:g} s is {:.6g} grain steps of stage \"{}\" ({:g} s), it must be a "
-                                     "whole number",
-                                     scene.path, scene.fluid->time_step, ratio, planned.label, planned.dt));
+        throw InputError(
+            fmt::format("{}: fluid.time_step = {:g} s is {:.6g} grain steps of stage \"{}\" ({:g} s), it must be a "
+                        "whole number",
+                        scene.path, scene.fluid->time_step, ratio, planned.label, planned.dt));
     return steps;
 }
 
@@ -158,7 +164,9 @@ Real reference_stress(Scene const& scene)
     for (StageSettings const& stage : scene.stages) {
         for (WallAction const& action : stage.walls) {
             if (!action.servo) continue;
-            Real const area = action.servo->area > 0 ? action.servo->area : size.x * size.y * size.z / std::fabs(dot(size, normalized(action.servo->axis)));
+            Real const area = action.servo->area > 0
+                                  ? action.servo->area
+                                  : size.x * size.y * size.z / std::fabs(dot(size, normalized(action.servo->axis)));
             stress = std::max(stress, action.servo->stress > 0 ? action.servo->stress : action.servo->force / area);
         }
         if (stage.box)
@@ -184,7 +192,8 @@ std::map<int, Real> smallest_diameters(Scene const& scene)
 }
 
 /// Limits of the material whose grains need the shortest step, with the diameter and the mass that are smallest of all.
-TimeStepLimits strictest_limits(Scene const& scene, PlannedStage const& planned, std::map<int, Real> const& diameters, Real stress)
+TimeStepLimits strictest_limits(Scene const& scene, PlannedStage const& planned, std::map<int, Real> const& diameters,
+                                Real stress)
 {
     std::vector<MaterialSettings> const materials = stage_materials(scene, planned.settings);
     TimeStepLimits strictest;

@@ -13,15 +13,15 @@ namespace arenite {
 enum class CompressionPart { none, densify, press, relax };
 
 struct PlannedStage {
-    StageSettings settings;             // kind generation or dynamics
-    std::string label;                  // "compression", or "compression/press" for a part of it
-    int scene_stage = 0;                // row of Scene::stages
+    StageSettings settings; // kind generation or dynamics
+    std::string label;      // "compression", or "compression/press" for a part of it
+    int scene_stage = 0;    // row of Scene::stages
     CompressionPart part = CompressionPart::none;
-    Real gap = 0;                       // m by which a press is to make the sample thinner, as far as the scene says it
+    Real gap = 0; // m by which a press is to make the sample thinner, as far as the scene says it
     TimeStepLimits limits;
-    Real dt = 0;                        // s
-    int coupling_interval = 0;          // grain steps per fluid step; 0 without fluid
-    bool form_bonds = false;            // touching contacts become bonds at the start
+    Real dt = 0;                                  // s
+    int coupling_interval = 0;                    // grain steps per fluid step; 0 without fluid
+    bool form_bonds = false;                      // touching contacts become bonds at the start
     std::vector<PairConstants> pairs, wall_pairs; // [material][material]
 };
 

@@ -23,7 +23,7 @@ void set_skin_limits(StageSetup& setup, RunState& state)
 {
     Real const known = setup.planned->limits.smallest_diameter;
     Real const smallest_diameter = known > 0 ? known : Real(1); // any, where there are no grains
-    Real reach = 0; // how far apart adhering grains can be
+    Real reach = 0;                                             // how far apart adhering grains can be
     for (PairConstants const& pair : setup.planned->pairs)
         if (pair.surface_energy > 0)
             reach = std::max(reach, -pair.break_overlap * pair.length_factor * std::cbrt(10 * smallest_diameter));
@@ -51,7 +51,8 @@ void ride_on_carrier(StageSetup& setup, RunState& state)
     hold_far_end(setup, state);
     state.box.strain_rate = {};
     for (int n = 0; n < 3; ++n)
-        if (std::fabs(axis[n]) >= Real(0.5)) state.box.strain_rate[n] = wall.velocity[n] / (wall.position[n] - setup.step.box_lower[n]);
+        if (std::fabs(axis[n]) >= Real(0.5))
+            state.box.strain_rate[n] = wall.velocity[n] / (wall.position[n] - setup.step.box_lower[n]);
 }
 
 StageSetup make_setup(Scene const& scene, PlannedStage const& planned, RunState& state)
@@ -85,16 +86,17 @@ void take_up_lists(StageSetup& setup, RunState& state)
 /// How the rate of an axis that holds a stress answers to the miss, the relative error of that stress. In proportion, with
 /// the largest rate at a miss of 1: where nothing else moves, the sample comes to rest at its stress, since such a box only
 /// takes energy. But where another axis is driven, this one has to move on for as long (a sheared sample bulges at up to the
-/// axial rate), and would have a lasting miss of that rate over the largest: a tenth in stiff cemented sand. A larger largest
-/// rate is no way out, because above 2 target / (K t), with the sample's stiffness K and the time t between two looks, the box
-/// rings. So there the rate that lasts is summed up from the misses, in as many looks as keep it from ringing with the
-/// proportional part, and taken off; in a box that is not driven that sum would shake the sample and keep it from its rest.
-/// A large miss is one of a sample that has lost its contacts or not found them yet: what it asks for does not last.
+/// axial rate), and would have a lasting miss of that rate over the largest: a tenth in stiff cemented sand. A larger
+/// largest rate is no way out, because above 2 target / (K t), with the sample's stiffness K and the time t between two
+/// looks, the box rings. So there the rate that lasts is summed up from the misses, in as many looks as keep it from ringing
+/// with the proportional part, and taken off; in a box that is not driven that sum would shake the sample and keep it from
+/// its rest. A large miss is one of a sample that has lost its contacts or not found them yet: what it asks for passes.
 constexpr Real looks_to_learn = 20, large_miss = 0.2;
 
 bool is_driven(BoxSettings const& box)
 {
-    return std::any_of(box.strain_rate.begin(), box.strain_rate.end(), [](auto const& rate) { return rate.value_or(0) != 0; });
+    return std::any_of(box.strain_rate.begin(), box.strain_rate.end(),
+                       [](auto const& rate) { return rate.value_or(0) != 0; });
 }
 
 /// Strain rate [1/s] until the next look. lasting_rate [1/s]: what was learnt, if it is to be.
@@ -146,12 +148,13 @@ void go_back(StageSetup& setup, RunState& state, int steps)
     for (std::int64_t step = setup.known.step; step < state.clock.step; ++step) advance_walls(setup, state);
 }
 
-/// How long the list has lasted, of how long a list with this skin s should last. A skin costs a step 1.8 s/d of its time, in
-/// candidates that do not touch, and a search costs as much as 20 steps (d: the smallest diameter; pack of 33 752 grains).
-/// Both together are least where they are equal: a list should last 10 d/s steps.
+/// How long the list has lasted, of how long a list with this skin s should last. A skin costs a step 1.8 s/d of its time,
+/// in candidates that do not touch, and a search costs as much as 20 steps (d: the smallest diameter; pack of 33 752
+/// grains). Both together are least where they are equal: a list should last 10 d/s steps.
 Real age_of_list(StageSetup const& setup, RunState const& state)
 {
-    return static_cast<Real>(state.clock.step - state.last_search) * state.skin / (balanced_list_age * setup.smallest_diameter);
+    return static_cast<Real>(state.clock.step - state.last_search) * state.skin /
+           (balanced_list_age * setup.smallest_diameter);
 }
 
 /// Lists last in proportion to their skin, and age as its square.

@@ -22,8 +22,8 @@ struct StageSetup {
     PlannedStage const* planned = nullptr;
     StageForces forces;
     StepSettings step;
-    int carrier = -1;          // wall whose motion strains the sample, or -1
-    int outlet = -1;           // wall, or -1
+    int carrier = -1; // wall whose motion strains the sample, or -1
+    int outlet = -1;  // wall, or -1
     bool walls_move = false;
     LastKnown known;
     Real smallest_diameter = 1;         // m, of the scene's grains

@@ -49,7 +49,8 @@ Real step_ratio(StageSetup const& setup, Real normal_stiffness)
 StageWatch::StageWatch(Scene const& scene, PlannedStage const& planned) : scene_(scene), stage_(planned.settings)
 {
     // A condition without a duration may take as long as it needs; a duration is a whole number of steps.
-    if (stage_.duration > 0) last_step_ = static_cast<std::int64_t>(std::llround(std::ceil(stage_.duration / planned.dt * (1 - 1e-12))));
+    if (stage_.duration > 0)
+        last_step_ = static_cast<std::int64_t>(std::llround(std::ceil(stage_.duration / planned.dt * (1 - 1e-12))));
 }
 
 Look const& StageWatch::look(StageSetup const& setup, RunState& state)
@@ -65,7 +66,8 @@ Look const& StageWatch::look(StageSetup const& setup, RunState& state)
     if (state.energy) look_.energy = energy_sheet(setup, look_.grains, state);
     look_.porosity.reset();
     if (state.particles.count > 0 && volume > 0) look_.porosity = 1 - look_.grains.volume / volume;
-    highest_overlap_ratio_ = std::max({highest_overlap_ratio_, look_.contacts.highest_overlap_ratio, look_.wall_overlap_ratio});
+    highest_overlap_ratio_ =
+        std::max({highest_overlap_ratio_, look_.contacts.highest_overlap_ratio, look_.wall_overlap_ratio});
     highest_step_ratio_ = std::max(highest_step_ratio_, step_ratio(setup, look_.contacts.stiffness));
     return look_;
 }
@@ -100,12 +102,14 @@ bool StageWatch::conditions_hold(StageSetup const& setup, RunState& state)
         Real const now = state.walls.state[wall].position[end.position_axis];
         if ((now - end.position) * (start - end.position) > 0) return false;
     }
-    bool const needs_look = end.box_stress_tolerance || end.kinetic_energy || end.kinetic_energy_ratio || end.porosity || !end.stress_wall.empty();
+    bool const needs_look = end.box_stress_tolerance || end.kinetic_energy || end.kinetic_energy_ratio || end.porosity ||
+                            !end.stress_wall.empty();
     if (!needs_look) return true;
     if (state.clock.stage_step == 0 || state.clock.stage_step % look_interval != 0) return false;
     Look const& now = look(setup, state);
     if (end.kinetic_energy && !(now.grains.kinetic_energy() < *end.kinetic_energy)) return false;
-    if (end.kinetic_energy_ratio && !(now.grains.kinetic_energy() < *end.kinetic_energy_ratio * now.contacts.energy())) return false;
+    if (end.kinetic_energy_ratio && !(now.grains.kinetic_energy() < *end.kinetic_energy_ratio * now.contacts.energy()))
+        return false;
     if (end.box_stress_tolerance && !box_holds_its_stress(setup, state)) return false;
     if (end.porosity && !(now.porosity.value_or(1) <= *end.porosity)) return false;
     if (!end.stress_wall.empty()) {
@@ -126,7 +130,8 @@ void StageWatch::tune_friction(StageSetup& setup, RunState& state)
         Real const pressing = dot(now.walls[wall].force, state.walls.state[wall].servo.axis) * -1;
         bool const pressed = pressing > Real(0.5) * target; // the servo comes the faster, the farther it is from its target
         // Slowly enough that the pack follows: a factor of two in some two thousand steps.
-        if (pressed && now.porosity.value_or(0) > stage_.target_porosity) set_friction(setup, state, Real(0.967) * state.tuned_friction);
+        if (pressed && now.porosity.value_or(0) > stage_.target_porosity)
+            set_friction(setup, state, Real(0.967) * state.tuned_friction);
     }
 }
 
@@ -143,9 +148,10 @@ std::optional<std::string> StageWatch::has_ended(StageSetup& setup, RunState& st
 void StageWatch::check_health(StageSetup const&, RunState& state) const
 {
     if (!(read_health(state.integrator) & force_is_not_finite)) return;
-    throw SimulationError(fmt::format("stage \"{}\", step {}: the force on {} is not finite: the time step is too large or grains "
-                                      "overlap wholly",
-                                      stage_.name, state.clock.step, name_of_faulty_grain(state)));
+    throw SimulationError(
+        fmt::format("stage \"{}\", step {}: the force on {} is not finite: the time step is too large or grains "
+                    "overlap wholly",
+                    stage_.name, state.clock.step, name_of_faulty_grain(state)));
 }
 
 } // namespace arenite

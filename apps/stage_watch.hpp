@@ -16,8 +16,8 @@ namespace arenite {
 struct Look {
     GrainReport grains;
     ContactReport contacts;
-    std::vector<WallReaction> walls;   // [wall]
-    std::optional<Real> porosity;      // of the sample
+    std::vector<WallReaction> walls; // [wall]
+    std::optional<Real> porosity;    // of the sample
     Real wall_overlap_ratio = 0;
     std::optional<EnergySheet> energy; // where a balance is kept
     std::int64_t step = -1;

@@ -12,7 +12,8 @@ constexpr long one_request = 1000; // ms within which signals are the same one
 
 std::atomic<int> received{0};
 std::atomic<long> received_at{0}; // ms
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<long>::is_always_lock_free, "a signal handler may write them");
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<long>::is_always_lock_free,
+              "a signal handler may write them");
 
 long now() // of what a signal handler may call
 {
@@ -40,10 +41,10 @@ StopSignals::StopSignals()
 {
     received = 0;
     for (int const signal : {SIGINT, SIGTERM}) {
-        struct sigaction old {};
+        struct sigaction old{};
         sigaction(signal, nullptr, &old);
         if (old.sa_handler == SIG_IGN) continue;
-        struct sigaction action {};
+        struct sigaction action{};
         action.sa_handler = on_stop_signal;
         action.sa_flags = SA_RESTART; // a write goes on
         sigaction(signal, &action, nullptr);
@@ -53,7 +54,7 @@ StopSignals::StopSignals()
 StopSignals::~StopSignals()
 {
     for (int const signal : {SIGINT, SIGTERM}) {
-        struct sigaction now {};
+        struct sigaction now{};
         sigaction(signal, nullptr, &now);
         if (now.sa_handler == on_stop_signal) std::signal(signal, SIG_DFL);
     }

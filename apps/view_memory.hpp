@@ -9,8 +9,7 @@
 namespace arenite {
 
 /// Counts allocations of the default memory space between its construction and its destruction; one at a time.
-class ViewMemory
-{
+class ViewMemory {
 public:
     ViewMemory();
     ~ViewMemory();

@@ -38,7 +38,8 @@ std::vector<long long> apportion(std::vector<Real> const& shares, long long tota
     std::vector<std::size_t> order(shares.size());
     std::iota(order.begin(), order.end(), 0);
     long long given = 0;
-    for (std::size_t c = 0; c < shares.size(); ++c) given += counts[c] = static_cast<long long>(std::floor(shares[c] * total));
+    for (std::size_t c = 0; c < shares.size(); ++c)
+        given += counts[c] = static_cast<long long>(std::floor(shares[c] * total));
     auto const remainder = [&](std::size_t c) { return shares[c] * total - static_cast<Real>(counts[c]); };
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return remainder(a) > remainder(b); });
     for (std::size_t n = 0; given < total; n = (n + 1) % order.size(), ++given) ++counts[order[n]];
@@ -70,7 +71,8 @@ std::vector<SizeClass> make_size_classes(DistributionSettings const& distributio
         classes[c].diameter = coarse.factor * (one_size ? single : distribution.diameters[c]);
         mean_volume += shares[c] * volume_of(classes[c].diameter);
     }
-    Real const solid = distribution.solid_volume > 0 ? distribution.solid_volume : distribution.solid_fraction * region_volume;
+    Real const solid =
+        distribution.solid_volume > 0 ? distribution.solid_volume : distribution.solid_fraction * region_volume;
     long long const total = distribution.count > 0 ? distribution.count : std::llround(solid / mean_volume);
     std::vector<long long> const counts = apportion(shares, total);
     for (std::size_t c = 0; c < shares.size(); ++c) classes[c].count = counts[c];

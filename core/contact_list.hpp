@@ -34,7 +34,8 @@ template <int components> using ContactColumns = Kokkos::View<Real* [components]
 /// The rows beyond the last contact name grain 0 twice; their results go nowhere.
 inline constexpr int contact_block = 8;
 
-/// Pairs with a gap below this share of the skin count as close. Stretched bonds are among them: they hold to 1e-3 of a radius.
+/// Pairs with a gap below this share of the skin count as close. Stretched bonds are among them: they hold to
+/// 1e-3 of a radius.
 inline constexpr Real close_share = 0.02;
 
 /// Second grains that may be read beyond the last contact: the kernel asks early for the records to come.
@@ -44,25 +45,25 @@ inline constexpr int second_ahead = 24;
 inline constexpr int incident_ahead = 32;
 
 struct ContactList {
-    int count = 0;                   // pairs within the cutoff
+    int count = 0; // pairs within the cutoff
     ContactNeeds needs;
     bool periodic = false;
 
-    View1<int> row_begin;            // [2 grain + 1] contacts that grain i owns: the close ones at i, the others at grains() + i
-    View1<int> first;                // [contact] rows of the two grains
-    View1<int> second;               // [contact + second_ahead]
-    View1<std::uint8_t> image;       // [contact] image code of second; empty in a closed box
-    ContactColumns<3> scale;         // [contact](R* m, m* kg, R*^(1/3) m^(1/3))
-    View1<std::uint8_t> touching;    // [contact] carried a force at the last evaluation
-    View1<std::uint8_t> adhering;    // [contact] follows the JKR curve; empty without bonds
-    ContactColumns<4> spring;        // [contact](xi x, y, z m, previous a m); empty without history
-    ForceRows force;                 // [contact] N and m, no force and moment where not touching
+    View1<int> row_begin;      // [2 grain + 1] contacts that grain i owns: the close ones at i, the others at grains() + i
+    View1<int> first;          // [contact] rows of the two grains
+    View1<int> second;         // [contact + second_ahead]
+    View1<std::uint8_t> image; // [contact] image code of second; empty in a closed box
+    ContactColumns<3> scale;   // [contact](R* m, m* kg, R*^(1/3) m^(1/3))
+    View1<std::uint8_t> touching; // [contact] carried a force at the last evaluation
+    View1<std::uint8_t> adhering; // [contact] follows the JKR curve; empty without bonds
+    ContactColumns<4> spring;     // [contact](xi x, y, z m, previous a m); empty without history
+    ForceRows force;              // [contact] N and m, no force and moment where not touching
 
-    View1<int> incident_begin;       // [grain + 1]
-    View1<int> incident;             // [2 contact + incident_ahead] contact * 2 + (1 where the grain is second), by partner id
+    View1<int> incident_begin; // [grain + 1]
+    View1<int> incident;       // [2 contact + incident_ahead] contact * 2 + (1 where the grain is second), by partner id
 
-    RecordView reference_position;   // [grain] where the grains were when the list was built
-    Real skin = 0;                   // m: pairs closer than skin are listed
+    RecordView reference_position; // [grain] where the grains were when the list was built
+    Real skin = 0;                 // m: pairs closer than skin are listed
 
     KOKKOS_FUNCTION int grains() const { return row_begin.extent_int(0) / 2; }
 };
@@ -75,7 +76,8 @@ template <class Visit> KOKKOS_FUNCTION void for_each_owned(ContactList const& li
 }
 
 /// From the second grain of a contact, or its image, to the first, m.
-KOKKOS_INLINE_FUNCTION Vec3 contact_offset(ContactList const& list, RecordView const& position, PeriodicBox const& box, int c)
+KOKKOS_INLINE_FUNCTION Vec3 contact_offset(ContactList const& list, RecordView const& position, PeriodicBox const& box,
+                                           int c)
 {
     Vec3 const offset = vector_of(position, list.first(c)) - vector_of(position, list.second(c));
     return list.periodic ? offset - box.image_shift(list.image(c)) : offset;

@@ -25,7 +25,7 @@ struct SimulationError : std::runtime_error {
 
 } // namespace arenite
 
-#define ARENITE_REQUIRE(condition, message)                                                                            \
-    do {                                                                                                               \
-        if (!(condition)) ::arenite::fail_requirement(#condition, message, __FILE__, __LINE__);                        \
+#define ARENITE_REQUIRE(condition, message)                                                                                 \
+    do {                                                                                                                    \
+        if (!(condition)) ::arenite::fail_requirement(#condition, message, __FILE__, __LINE__);                             \
     } while (false)

@@ -16,8 +16,8 @@ struct Grid {
     static constexpr int halo = 2; // two, since the limited convection scheme reaches two cells upstream
 
     int cells[3] = {1, 1, 1};
-    Vec3 lower;                             // m
-    Vec3 spacing{1, 1, 1};                  // m
+    Vec3 lower;            // m
+    Vec3 spacing{1, 1, 1}; // m
     bool periodic[3] = {false, false, false};
 
     KOKKOS_FUNCTION int cell_count() const { return cells[0] * cells[1] * cells[2]; }
@@ -33,7 +33,10 @@ struct Grid {
     /// Extent of a field along an axis: the cells, one more for the last face, and the halo on both sides.
     KOKKOS_FUNCTION int allocated(int axis) const { return cells[axis] + 1 + 2 * halo; }
 
-    FieldView make_field(char const* label) const { return FieldView(std::string(label), allocated(0), allocated(1), allocated(2)); }
+    FieldView make_field(char const* label) const
+    {
+        return FieldView(std::string(label), allocated(0), allocated(1), allocated(2));
+    }
 };
 
 } // namespace arenite

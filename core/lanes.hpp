@@ -52,7 +52,10 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes select(LaneMask const& mask, Lanes const& a, L
     where(mask, result) = a;
     return result;
 }
-KOKKOS_FORCEINLINE_FUNCTION LaneMask select(LaneMask const& mask, LaneMask const& a, LaneMask const& b) { return (mask && a) || (!mask && b); }
+KOKKOS_FORCEINLINE_FUNCTION LaneMask select(LaneMask const& mask, LaneMask const& a, LaneMask const& b)
+{
+    return (mask && a) || (!mask && b);
+}
 KOKKOS_FORCEINLINE_FUNCTION bool any(LaneMask const& mask) { return any_of(mask); }
 KOKKOS_FORCEINLINE_FUNCTION bool all(LaneMask const& mask) { return all_of(mask); }
 KOKKOS_FORCEINLINE_FUNCTION Lanes larger(Lanes const& a, Lanes const& b) { return select(a > b, a, b); }
@@ -72,7 +75,8 @@ using LaneMask = bool;
 inline constexpr int lane_count = NumberTraits<Lanes>::lanes;
 template <class N> using MaskOf = typename NumberTraits<N>::Mask;
 
-template <class N> KOKKOS_FORCEINLINE_FUNCTION Vector<N> select(MaskOf<N> const& mask, Vector<N> const& a, Vector<N> const& b)
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION Vector<N> select(MaskOf<N> const& mask, Vector<N> const& a, Vector<N> const& b)
 {
     return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
@@ -162,8 +166,8 @@ KOKKOS_FORCEINLINE_FUNCTION Quad load_quad(Real const* from)
 #endif
 }
 
-/// From a View of records and back. Its rows begin at multiples of 16 bytes, and a GPU moves such pairs in one access: half as
-/// many, and accesses to scattered records are what its kernels wait for.
+/// From a View of records and back. Its rows begin at multiples of 16 bytes, and a GPU moves such pairs in one access: half
+/// as many, and accesses to scattered records are what its kernels wait for.
 struct alignas(16) RealPair {
     Real a, b;
 };
@@ -230,16 +234,19 @@ template <class Quads> [[gnu::always_inline]] inline LaneRecords turn_eight(Quad
 /// Lane n's record to place(n).
 template <class Places> [[gnu::always_inline]] inline void store_eight(LaneRecords const& records, Places const& place)
 {
-    auto const x = static_cast<Octet>(records.xyz.x), y = static_cast<Octet>(records.xyz.y), z = static_cast<Octet>(records.xyz.z),
-               w = static_cast<Octet>(records.w);
-    Octet const xy0 = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14), zw0 = __builtin_shufflevector(z, w, 0, 8, 2, 10, 4, 12, 6, 14);
-    Octet const xy1 = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15), zw1 = __builtin_shufflevector(z, w, 1, 9, 3, 11, 5, 13, 7, 15);
+    auto const x = static_cast<Octet>(records.xyz.x), y = static_cast<Octet>(records.xyz.y),
+               z = static_cast<Octet>(records.xyz.z), w = static_cast<Octet>(records.w);
+    Octet const xy0 = __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14),
+                zw0 = __builtin_shufflevector(z, w, 0, 8, 2, 10, 4, 12, 6, 14);
+    Octet const xy1 = __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15),
+                zw1 = __builtin_shufflevector(z, w, 1, 9, 3, 11, 5, 13, 7, 15);
     Octet const row[4] = {__builtin_shufflevector(xy0, zw0, 0, 1, 8, 9, 4, 5, 12, 13),
                           __builtin_shufflevector(xy1, zw1, 0, 1, 8, 9, 4, 5, 12, 13),
                           __builtin_shufflevector(xy0, zw0, 2, 3, 10, 11, 6, 7, 14, 15),
                           __builtin_shufflevector(xy1, zw1, 2, 3, 10, 11, 6, 7, 14, 15)};
     for (int n = 0; n < 4; ++n) {
-        Quad const low = __builtin_shufflevector(row[n], row[n], 0, 1, 2, 3), high = __builtin_shufflevector(row[n], row[n], 4, 5, 6, 7);
+        Quad const low = __builtin_shufflevector(row[n], row[n], 0, 1, 2, 3),
+                   high = __builtin_shufflevector(row[n], row[n], 4, 5, 6, 7);
         std::memcpy(place(n), &low, sizeof low);
         std::memcpy(place(n + 4), &high, sizeof high);
     }
@@ -279,7 +286,8 @@ template <class Places> KOKKOS_FORCEINLINE_FUNCTION void store_records_at(LaneRe
     lanes_detail::store_eight(records, place);
 #else
     for (int n = 0; n < lane_count; ++n)
-        store_record(Quad{lane(records.xyz.x, n), lane(records.xyz.y, n), lane(records.xyz.z, n), lane(records.w, n)}, place(n));
+        store_record(Quad{lane(records.xyz.x, n), lane(records.xyz.y, n), lane(records.xyz.z, n), lane(records.w, n)},
+                     place(n));
 #endif
 }
 

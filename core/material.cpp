@@ -24,9 +24,12 @@ Real shear_compliance(MaterialSettings const& m) { return m.rigid ? 0 : (2 - m.p
 Real break_overlap_of(BreakPoint point)
 {
     switch (point) {
-    case BreakPoint::A: return 0;
-    case BreakPoint::C: return jkr_points::overlap_C;
-    case BreakPoint::S: return jkr_points::overlap_S;
+    case BreakPoint::A:
+        return 0;
+    case BreakPoint::C:
+        return jkr_points::overlap_C;
+    case BreakPoint::S:
+        return jkr_points::overlap_S;
     }
     return 0;
 }
@@ -57,8 +60,7 @@ PairConstants make_pair(MaterialSettings const& a, MaterialSettings const& b, Co
     if (normal > 0 && shear > 0)
         pair.tangential_damping_ratio = 2 * std::sqrt(pair.effective_shear_modulus / pair.effective_youngs_modulus);
     // Both restitutions agree or an interaction names the pair: the reader has made sure of it.
-    if (contact.damping != DampingLaw::none)
-        pair.damping_factor = 2 * std::sqrt(Real(5) / 6) * damping_ratio(a.restitution);
+    if (contact.damping != DampingLaw::none) pair.damping_factor = 2 * std::sqrt(Real(5) / 6) * damping_ratio(a.restitution);
     pair.clip_attraction = contact.damping == DampingLaw::restitution_clipped;
     pair.tangential = contact.tangential;
     pair.friction = contact.tangential == TangentialLaw::none ? 0 : a.friction;
@@ -84,7 +86,8 @@ std::vector<MaterialSettings> stage_materials(Scene const& scene, StageSettings 
     return materials;
 }
 
-std::vector<PairConstants> make_pair_constants(Scene const& scene, StageSettings const& stage, ContactSettings const& contact)
+std::vector<PairConstants> make_pair_constants(Scene const& scene, StageSettings const& stage,
+                                               ContactSettings const& contact)
 {
     std::vector<MaterialSettings> const materials = stage_materials(scene, stage);
     std::size_t const n = materials.size();

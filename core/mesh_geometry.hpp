@@ -18,8 +18,7 @@ KOKKOS_FUNCTION inline Real beyond_own_edge(MeshTriangle const& t, int k, Vec3 c
 }
 
 /// The same; of two coplanar faces one number decides for both.
-template <class Mesh>
-KOKKOS_FUNCTION Real beyond_edge(Mesh const& mesh, int triangle, int k, Vec3 const& x)
+template <class Mesh> KOKKOS_FUNCTION Real beyond_edge(Mesh const& mesh, int triangle, int k, Vec3 const& x)
 {
     MeshTriangle const& t = mesh.triangle(triangle);
     if (t.edge[k] == EdgeKind::coplanar && !t.owns_edge[k])
@@ -27,8 +26,7 @@ KOKKOS_FUNCTION Real beyond_edge(Mesh const& mesh, int triangle, int k, Vec3 con
     return beyond_own_edge(t, k, x);
 }
 
-template <class Mesh>
-KOKKOS_FUNCTION bool is_over_face(Mesh const& mesh, int triangle, Vec3 const& x)
+template <class Mesh> KOKKOS_FUNCTION bool is_over_face(Mesh const& mesh, int triangle, Vec3 const& x)
 {
     for (int k = 0; k < 3; ++k)
         if (!(beyond_edge(mesh, triangle, k, x) < 0)) return false;
@@ -36,8 +34,7 @@ KOKKOS_FUNCTION bool is_over_face(Mesh const& mesh, int triangle, Vec3 const& x)
 }
 
 /// On a curved surface made of facets that meet at small concave angles only the nearest facet counts.
-template <class Mesh>
-KOKKOS_FUNCTION bool is_hidden_by_neighbor(Mesh const& mesh, int triangle, Vec3 const& x, Real height)
+template <class Mesh> KOKKOS_FUNCTION bool is_hidden_by_neighbor(Mesh const& mesh, int triangle, Vec3 const& x, Real height)
 {
     MeshTriangle const& t = mesh.triangle(triangle);
     for (int k = 0; k < 3; ++k) {
@@ -50,8 +47,7 @@ KOKKOS_FUNCTION bool is_hidden_by_neighbor(Mesh const& mesh, int triangle, Vec3 
     return false;
 }
 
-template <class Mesh>
-KOKKOS_FUNCTION bool is_in_edge_region(Mesh const& mesh, int triangle, int k, Vec3 const& x)
+template <class Mesh> KOKKOS_FUNCTION bool is_in_edge_region(Mesh const& mesh, int triangle, int k, Vec3 const& x)
 {
     MeshTriangle const& t = mesh.triangle(triangle);
     if (t.edge[k] == EdgeKind::concave || t.edge[k] == EdgeKind::smooth_concave) return false;
@@ -61,8 +57,7 @@ KOKKOS_FUNCTION bool is_in_edge_region(Mesh const& mesh, int triangle, int k, Ve
     return t.edge[k] == EdgeKind::boundary || !(beyond_edge(mesh, t.neighbor[k], t.neighbor_edge[k], x) < 0);
 }
 
-template <class Mesh>
-KOKKOS_FUNCTION bool is_in_vertex_region(Mesh const& mesh, int vertex, Vec3 const& x)
+template <class Mesh> KOKKOS_FUNCTION bool is_in_vertex_region(Mesh const& mesh, int vertex, Vec3 const& x)
 {
     MeshVertex const& v = mesh.vertex(vertex);
     for (int e = v.begin; e < v.end; ++e)
@@ -96,8 +91,8 @@ KOKKOS_FUNCTION WallProximity mesh_triangle(Mesh const& mesh, int triangle, Vec3
         Vec3 const a = t.corner[k], along = t.corner[(k + 1) % 3] - a;
         if (t.owns_edge[k] && is_in_edge_region(mesh, triangle, k, x)) {
             WallProximity const p = from_point(a + dot(x - a, along) / dot(along, along) * along, x, t.normal);
-            bool const front = t.edge[k] == EdgeKind::boundary ||
-                               dot(p.normal, t.normal + mesh.triangle(t.neighbor[k]).normal) >= 0;
+            bool const front =
+                t.edge[k] == EdgeKind::boundary || dot(p.normal, t.normal + mesh.triangle(t.neighbor[k]).normal) >= 0;
             return front ? p : nothing;
         }
         if (t.owns_vertex[k] && is_in_vertex_region(mesh, t.vertex[k], x)) return from_point(a, x, t.normal);
@@ -120,8 +115,7 @@ KOKKOS_FUNCTION inline Vec3 nearest_on_triangle(Vec3 const (&corner)[3], Vec3 co
     Real const vb = d5 * d2 - d1 * d6;
     if (vb <= 0 && d2 >= 0 && d6 <= 0) return corner[0] + d2 / (d2 - d6) * ac;
     Real const va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 >= d3 && d5 >= d6)
-        return corner[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (corner[2] - corner[1]);
+    if (va <= 0 && d4 >= d3 && d5 >= d6) return corner[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (corner[2] - corner[1]);
     Real const scale = 1 / (va + vb + vc);
     return corner[0] + vb * scale * ab + vc * scale * ac;
 }

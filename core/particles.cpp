@@ -33,8 +33,7 @@ template <class T> void reorder(View1<T>& view, View1<int> const& order, int cou
     if (!view.is_allocated()) return;
     View1<T> const sorted(uninitialized(view.label()), count);
     View1<T> const source = view;
-    Kokkos::parallel_for(
-        "reorder", RangePolicy(0, count), KOKKOS_LAMBDA(int row) { sorted(row) = source(order(row)); });
+    Kokkos::parallel_for("reorder", RangePolicy(0, count), KOKKOS_LAMBDA(int row) { sorted(row) = source(order(row)); });
     view = sorted;
 }
 
@@ -84,7 +83,8 @@ Particles make_particles(std::vector<Grain> const& grains, std::vector<Real> con
     particles.material = View1<std::uint8_t>("material", count);
     particles.size_class = View1<std::int16_t>("size_class", count);
     particles.motion = View1<Motion>("motion", count);
-    bool const has_applied = std::any_of(grains.begin(), grains.end(), [](Grain const& g) { return !(g.applied_force == Vec3{}); });
+    bool const has_applied =
+        std::any_of(grains.begin(), grains.end(), [](Grain const& g) { return !(g.applied_force == Vec3{}); });
     if (has_applied) particles.applied_force = RecordView("applied_force", count);
 
     auto const position = Kokkos::create_mirror_view(particles.position);

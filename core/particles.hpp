@@ -22,33 +22,34 @@ struct Particles {
     int count = 0;  // owned grains
     int ghosts = 0; // copies of grains that another rank owns
 
-    RecordView position;          // [grain](x, y, z, radius), m
-    RecordView velocity;          // [grain](vx, vy, vz, mass), m/s and kg
-    RecordView spin;              // [grain](wx, wy, wz, moment of inertia), rad/s and kg m2
-    RecordView force;             // [grain](Fx, Fy, Fz, -), N: contacts, walls and everything else, at the last force evaluation
-    RecordView torque;            // [grain](Tx, Ty, Tz, -), N m
-    View1<GrainId> id;            // [grain]
-    View1<std::uint8_t> material; // [grain] row of the material table
+    RecordView position; // [grain](x, y, z, radius), m
+    RecordView velocity; // [grain](vx, vy, vz, mass), m/s and kg
+    RecordView spin;     // [grain](wx, wy, wz, moment of inertia), rad/s and kg m2
+    RecordView force;    // [grain](Fx, Fy, Fz, -), N: contacts, walls and everything else, at the last force evaluation
+    RecordView torque;   // [grain](Tx, Ty, Tz, -), N m
+    View1<GrainId> id;   // [grain]
+    View1<std::uint8_t> material;   // [grain] row of the material table
     View1<std::int16_t> size_class; // [grain] class of the size distribution that the grain stands for
-    View1<Motion> motion;         // [grain]
+    View1<Motion> motion;           // [grain]
 
-    RecordView applied_force;     // [grain](Fx, Fy, Fz, -), N: constant forces of the scene; empty if it names none
-    RecordView fluid_force;       // [grain](Fx, Fy, Fz, -), N: held between fluid steps; empty without fluid
-    RecordView coasting;          // [grain](vx, vy, vz, 1 or 0 unknown), m/s: where drag alone took its velocity in the last fluid step
-    RecordView pressure_force;    // [grain](Fx, Fy, Fz, -), N: the part of it that is not drag; empty unless a balance is kept
+    RecordView applied_force; // [grain](Fx, Fy, Fz, -), N: constant forces of the scene; empty if it names none
+    RecordView fluid_force;   // [grain](Fx, Fy, Fz, -), N: held between fluid steps; empty without fluid
+    RecordView
+        coasting; // [grain](vx, vy, vz, 1 or 0 unknown), m/s: where drag alone took its velocity in the last fluid step
+    RecordView pressure_force; // [grain](Fx, Fy, Fz, -), N: the part of it that is not drag; empty unless a balance is kept
 
     int rows() const { return count + ghosts; }
 };
 
 /// One grain on the host, as a size distribution or a CSV file makes it.
 struct Grain {
-    Vec3 position;      // m
-    Real diameter = 0;  // m
-    Vec3 velocity;      // m/s
-    Vec3 spin;          // rad/s
-    int material = 0;   // row of the material table
+    Vec3 position;     // m
+    Real diameter = 0; // m
+    Vec3 velocity;     // m/s
+    Vec3 spin;         // rad/s
+    int material = 0;  // row of the material table
     int size_class = 0;
-    GrainId id = -1;    // -1: numbered in order
+    GrainId id = -1; // -1: numbered in order
     Motion motion = Motion::free;
     Vec3 applied_force; // N
 };

@@ -10,9 +10,9 @@
 namespace arenite {
 
 struct PeriodicBox {
-    Vec3 lower, upper;                       // m
+    Vec3 lower, upper; // m
     bool periodic[3] = {false, false, false};
-    Vec3 strain_rate;                        // 1/s: grains and images ride on the flow strain_rate * (x - lower)
+    Vec3 strain_rate; // 1/s: grains and images ride on the flow strain_rate * (x - lower)
 
     static constexpr int no_image = 13; // code of the shift (0, 0, 0)
 

@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Sums whose bits do not depend on the number of threads: the terms are cut into parts of a fixed size, each part is summed in
-// a fixed order, and the sums of the parts are added in order. A floating-point parallel_reduce joins per-thread partials
-// instead and so repeats for one thread count only. On a host a part is a chunk that one work item goes through; on a device it
-// is a block of terms that a team of fixed size sums, since a few thousand terms must occupy more than a few threads.
+// Sums whose bits do not depend on the number of threads: the terms are cut into parts of a fixed size, each part is summed
+// in a fixed order, and the sums of the parts are added in order. A floating-point parallel_reduce joins per-thread partials
+// instead and so repeats for one thread count only. On a host a part is a chunk that one work item goes through; on a device
+// it is a block of terms that a team of fixed size sums, since a few thousand terms must occupy more than a few threads.
 #pragma once
 
 #include "core/types.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 template <int N> using Terms = Kokkos::Array<Real, N>;
 
 /// Scratch of the sums, reused so that a sum in a time loop does not allocate.
 struct SumWorkspace {
-    View1<Real> partial;                          // [part * N + which]
-    Kokkos::View<Real*, PinnedSpace> total;       // [which], written by a device
+    View1<Real> partial;                    // [part * N + which]
+    Kokkos::View<Real*, PinnedSpace> total; // [which], written by a device
 };
 
-namespace reproducible
-{
+namespace reproducible {
 
 // All of them are part of the result's definition.
-constexpr int chunk = 256;           // terms
-constexpr int lanes = 4;             // independent running sums in a chunk, to hide the latency of an addition
+constexpr int chunk = 256;                  // terms
+constexpr int lanes = 4;                    // independent running sums in a chunk, to hide the latency of an addition
 constexpr int team = 256, block = 4 * team; // threads, and terms that they sum
 
 inline int part_count(int terms) { return on_host ? (terms + chunk - 1) / chunk : (terms + block - 1) / block; }
@@ -75,7 +73,8 @@ template <int N> struct PartialTerm { // the sum of a part as a term of the next
 
 template <int N> void reserve(SumWorkspace& workspace, int parts)
 {
-    if (workspace.partial.extent_int(0) < parts * N) workspace.partial = View1<Real>(uninitialized("sum_partial"), parts * N);
+    if (workspace.partial.extent_int(0) < parts * N)
+        workspace.partial = View1<Real>(uninitialized("sum_partial"), parts * N);
     if (!on_host && workspace.total.extent_int(0) < N)
         workspace.total = Kokkos::View<Real*, PinnedSpace>(uninitialized("sum_total"), N);
 }

@@ -15,8 +15,8 @@
 namespace arenite {
 namespace {
 
-constexpr Real weld_fraction = 1e-9;    // of the mesh's diagonal: what text files lose
-constexpr Real coplanar_sine = 1e-7;    // a few roundings of single-precision STL coordinates
+constexpr Real weld_fraction = 1e-9;                // of the mesh's diagonal: what text files lose
+constexpr Real coplanar_sine = 1e-7;                // a few roundings of single-precision STL coordinates
 constexpr Real smooth_cosine = 0.86602540378443865; // 30 degrees
 
 struct Extent {
@@ -89,7 +89,7 @@ void add_triangles(MeshData& data, std::vector<Triangle> const& triangles, Exten
     }
 }
 
-using Edge = std::pair<int, int>;                                  // vertices, the lower first
+using Edge = std::pair<int, int>;                                   // vertices, the lower first
 using EdgeFaces = std::map<Edge, std::vector<std::pair<int, int>>>; // (triangle, edge of it)
 
 EdgeFaces collect_edges(MeshData const& data, int first)

@@ -18,7 +18,7 @@ struct Triangle {
 
 /// How the two faces of an edge meet, seen from the grains.
 enum class EdgeKind : std::uint8_t {
-    boundary,       // one face only
+    boundary, // one face only
     convex,
     coplanar,
     smooth_concave, // less than 30 degrees: the nearer face stands for both, as on a curved surface
@@ -27,9 +27,9 @@ enum class EdgeKind : std::uint8_t {
 
 struct MeshTriangle {
     Vec3 corner[3];
-    Vec3 normal;               // unit, towards the grains
-    int vertex[3];             // rows of MeshViews::vertex
-    int neighbor[3];           // triangle across the edge from corner k to corner k+1, or -1
+    Vec3 normal;     // unit, towards the grains
+    int vertex[3];   // rows of MeshViews::vertex
+    int neighbor[3]; // triangle across the edge from corner k to corner k+1, or -1
     std::uint8_t neighbor_edge[3];
     EdgeKind edge[3];
     bool owns_edge[3], owns_vertex[3];
@@ -38,7 +38,7 @@ struct MeshTriangle {
 
 struct MeshVertex {
     Vec3 position;
-    Vec3 normal;         // sum of the faces' normals by their angle here (Baerentzen & Aanaes 2005)
+    Vec3 normal;            // sum of the faces' normals by their angle here (Baerentzen & Aanaes 2005)
     int begin = 0, end = 0; // its edges: rows of MeshViews::edge_end
     bool boundary = false;
 };
@@ -47,17 +47,17 @@ struct MeshVertex {
 struct MeshViews {
     View1<MeshTriangle> triangle;
     View1<MeshVertex> vertex;
-    View1<int> edge_end;      // vertex at the other end
-    View1<int> cell_begin;    // [cell + 1 of each grid]
+    View1<int> edge_end;   // vertex at the other end
+    View1<int> cell_begin; // [cell + 1 of each grid]
     View1<int> cell_triangle;
 };
 
 /// Grid over the triangles of one mesh.
 struct MeshGrid {
     Vec3 lower;
-    Real cell = 1;         // m
+    Real cell = 1; // m
     int cells[3] = {0, 0, 0};
-    int first_cell = 0;    // row of MeshViews::cell_begin
+    int first_cell = 0; // row of MeshViews::cell_begin
 
     KOKKOS_FUNCTION int along(int axis, Real x) const // clamped
     {

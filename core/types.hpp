@@ -20,10 +20,10 @@ using PinnedSpace = Kokkos::SharedHostPinnedSpace; // the host's memory, which t
 
 /// What a kernel needs travels as its arguments (up to 4 kB). Without the hint Kokkos puts more than 512 bytes into CUDA's
 /// constant memory, and then the host waits there until the kernel before has ended.
-using RangePolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>,
-                                        Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
-using TeamPolicy = Kokkos::TeamPolicy<ExecutionSpace, Kokkos::IndexType<int>,
-                                      Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
+using RangePolicy =
+    Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>, Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
+using TeamPolicy =
+    Kokkos::TeamPolicy<ExecutionSpace, Kokkos::IndexType<int>, Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
 inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemorySpace>::accessible;
 
 template <class T> using View1 = Kokkos::View<T*, MemorySpace>;

@@ -17,15 +17,36 @@ template <class N> struct Vector {
     KOKKOS_FORCEINLINE_FUNCTION constexpr Vector& operator-=(Vector const& b) { return *this = *this - b; }
     KOKKOS_FORCEINLINE_FUNCTION constexpr Vector& operator*=(N const& s) { return *this = s * *this; }
 
-    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator+(Vector const& a, Vector const& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator-(Vector const& a, Vector const& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator+(Vector const& a, Vector const& b)
+    {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator-(Vector const& a, Vector const& b)
+    {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
     KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator-(Vector const& a) { return {-a.x, -a.y, -a.z}; }
-    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator*(N const& s, Vector const& a) { return {s * a.x, s * a.y, s * a.z}; }
-    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator*(Vector const& a, N const& s) { return {s * a.x, s * a.y, s * a.z}; }
-    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator/(Vector const& a, N const& s) { return {a.x / s, a.y / s, a.z / s}; }
-    KOKKOS_FORCEINLINE_FUNCTION friend constexpr bool operator==(Vector const& a, Vector const& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator*(N const& s, Vector const& a)
+    {
+        return {s * a.x, s * a.y, s * a.z};
+    }
+    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator*(Vector const& a, N const& s)
+    {
+        return {s * a.x, s * a.y, s * a.z};
+    }
+    KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector operator/(Vector const& a, N const& s)
+    {
+        return {a.x / s, a.y / s, a.z / s};
+    }
+    KOKKOS_FORCEINLINE_FUNCTION friend constexpr bool operator==(Vector const& a, Vector const& b)
+    {
+        return a.x == b.x && a.y == b.y && a.z == b.z;
+    }
 
-    KOKKOS_FORCEINLINE_FUNCTION friend constexpr N dot(Vector const& a, Vector const& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    KOKKOS_FORCEINLINE_FUNCTION friend constexpr N dot(Vector const& a, Vector const& b)
+    {
+        return a.x * b.x + a.y * b.y + a.z * b.z;
+    }
     KOKKOS_FORCEINLINE_FUNCTION friend constexpr Vector cross(Vector const& a, Vector const& b)
     {
         return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -16,7 +16,7 @@ namespace arenite {
 
 /// Where a wall is and how it moves. rotation is row-major, from the wall's frame to the world's.
 struct WallPose {
-    Vec3 position;         // of the reference point, m
+    Vec3 position; // of the reference point, m
     Real rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     Vec3 velocity;         // of the reference point, m/s
     Vec3 angular_velocity; // rad/s

@@ -190,8 +190,7 @@ void move_walls(Walls& walls, Real dt)
             state.velocity = state.servo.speed * state.servo.axis;
             state.position += dt * state.velocity;
             ++state.servo.steps;
-        } else
-            follow_program(state, dt);
+        } else follow_program(state, dt);
     }
     upload_poses(walls);
 }
@@ -229,9 +228,10 @@ std::string tunnelling_walls(Walls const& walls, Real smallest_radius, Real dt)
             walls, w, [&](Vec3 const& x) { return velocity + cross(omega, pose.direction_to_world(x)); },
             [&](Vec3 const& d) { return cross(omega, pose.direction_to_world(d)); });
         if (speed * dt < Real(0.1) * smallest_radius) continue;
-        message += fmt::format("wall {} moves {:.3g} m in a step of {:.3g} s ({:.3g} m/s), more than a tenth of the smallest "
-                               "grain's radius ({:.3g} m): it could pass through grains\n",
-                               walls.settings[w].name, speed * dt, dt, speed, smallest_radius);
+        message +=
+            fmt::format("wall {} moves {:.3g} m in a step of {:.3g} s ({:.3g} m/s), more than a tenth of the smallest "
+                        "grain's radius ({:.3g} m): it could pass through grains\n",
+                        walls.settings[w].name, speed * dt, dt, speed, smallest_radius);
     }
     return message;
 }

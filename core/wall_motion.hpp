@@ -8,10 +8,10 @@ namespace arenite {
 
 /// What a wall feels, as measure_walls (kernels/wall_reactions.hpp) sums it.
 struct WallReaction {
-    Vec3 force;          // N, on the wall
-    Vec3 torque;         // N m, about the wall's reference point
-    Real stiffness = 0;  // N/m: sum of the touching contacts' normal stiffnesses S_n
-    Real impedance = 0;  // N s/m: sum of sqrt(S_n m) over them
+    Vec3 force;         // N, on the wall
+    Vec3 torque;        // N m, about the wall's reference point
+    Real stiffness = 0; // N/m: sum of the touching contacts' normal stiffnesses S_n
+    Real impedance = 0; // N s/m: sum of sqrt(S_n m) over them
 };
 
 /// Speed factor and its integral [s] at a time since the stage began. travel_time: s at full speed that the travel

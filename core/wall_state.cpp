@@ -26,9 +26,12 @@ Real surface_motion(Walls const& walls, int wall, std::function<Vec3(Vec3 const&
         Vec3 const normal = body.pose.direction_to_world(body.axis);
         return std::fabs(dot(shift, normal)) + tilt * norm(walls.upper - walls.lower) + norm(shift) * tilt;
     }
-    case WallShape::cylinder: return std::max(norm(moved({})), norm(moved(body.length * body.axis))) + tilt * body.radius;
-    case WallShape::box: return corners(-body.half, body.half);
-    case WallShape::mesh: return corners(walls.mesh_part[wall].lower, walls.mesh_part[wall].upper);
+    case WallShape::cylinder:
+        return std::max(norm(moved({})), norm(moved(body.length * body.axis))) + tilt * body.radius;
+    case WallShape::box:
+        return corners(-body.half, body.half);
+    case WallShape::mesh:
+        return corners(walls.mesh_part[wall].lower, walls.mesh_part[wall].upper);
     }
     return 0;
 }
@@ -53,14 +56,18 @@ namespace {
 template <class State, class Number> void for_each_number(State& s, Number const& number)
 {
     auto const vector = [&](auto& v) { number(v.x), number(v.y), number(v.z); };
-    auto const turn = [&](auto& q) { for (auto& component : q) number(component); };
+    auto const turn = [&](auto& q) {
+        for (auto& component : q) number(component);
+    };
     number(s.present), number(s.two_sided);
     vector(s.position), turn(s.orientation), vector(s.velocity), vector(s.angular_velocity);
     auto& p = s.program;
     vector(p.start_position), turn(p.start_orientation), vector(p.velocity), vector(p.angular_velocity);
-    number(p.ramp_time), number(p.travel), number(p.and_back), number(p.earlier), number(p.dt), number(p.steps), number(p.done);
+    number(p.ramp_time), number(p.travel), number(p.and_back), number(p.earlier), number(p.dt), number(p.steps),
+        number(p.done);
     auto& servo = s.servo;
-    number(servo.on), number(servo.target), vector(servo.axis), number(servo.max_speed), number(servo.speed), number(servo.steps);
+    number(servo.on), number(servo.target), vector(servo.axis), number(servo.max_speed), number(servo.speed),
+        number(servo.steps);
 }
 
 } // namespace

@@ -64,7 +64,8 @@ Vec3 set_shape(WallSettings const& wall, WallBody& body)
         body.half = Real(0.5) * (wall.box.upper - wall.box.lower);
         body.elements = wall.inside ? 6 : 1;
         return Real(0.5) * (wall.box.upper + wall.box.lower);
-    case WallShape::mesh: break;
+    case WallShape::mesh:
+        break;
     }
     return wall.offset;
 }

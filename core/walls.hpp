@@ -20,22 +20,22 @@ namespace arenite {
 struct WallBody {
     WallShape shape = WallShape::plane;
     bool inside = false, present = true;
-    bool two_sided = false;       // a plate whose holes have been open
+    bool two_sided = false; // a plate whose holes have been open
     std::uint8_t material = 0;
     int first_element = 0, elements = 1; // numbered through all walls
     int first_hole = 0, holes = 0;       // open ones, in WallViews::hole
-    Vec3 axis;                    // own frame: a plane's normal, a cylinder's direction; unit
-    Real length = 0, radius = 0;  // cylinder, m
-    Vec3 half;                    // box, m
+    Vec3 axis;                           // own frame: a plane's normal, a cylinder's direction; unit
+    Real length = 0, radius = 0;         // cylinder, m
+    Vec3 half;                           // box, m
     int first_triangle = 0;
     MeshGrid grid;
     WallPose pose;
 };
 
 struct WallViews {
-    View1<WallBody> body;        // [wall]
-    View1<OpenHole> hole;        // open holes of all walls
-    View1<int> wall_of_element;  // [element]
+    View1<WallBody> body;       // [wall]
+    View1<OpenHole> hole;       // open holes of all walls
+    View1<int> wall_of_element; // [element]
     MeshViews mesh;
 };
 
@@ -49,16 +49,16 @@ struct WallProgram {
     Real ramp_time = 0;              // s
     Real travel = 0;                 // m, 0: without end
     bool and_back = false;
-    Real earlier = 0;                // s of the program made under other time steps
-    Real dt = 0;                     // s
-    long long steps = 0;             // made with dt
-    bool done = true;                // the travel is made, or there is none
+    Real earlier = 0;    // s of the program made under other time steps
+    Real dt = 0;         // s
+    long long steps = 0; // made with dt
+    bool done = true;    // the travel is made, or there is none
 };
 
 /// A servo's state; see update_servos.
 struct WallServo {
     bool on = false;
-    Real target = 0;    // N, compression positive
+    Real target = 0; // N, compression positive
     Vec3 axis;
     Real max_speed = 0; // m/s
     Real speed = 0;     // m/s along axis, now
@@ -69,7 +69,7 @@ struct WallServo {
 struct WallState {
     bool present = true;
     bool two_sided = false;
-    Vec3 position;                       // of the reference point: point, base, box centre or mesh offset
+    Vec3 position; // of the reference point: point, base, box centre or mesh offset
     Quaternion orientation{1, 0, 0, 0};
     Vec3 velocity, angular_velocity;
     WallProgram program;
@@ -92,9 +92,9 @@ struct Walls {
 };
 
 struct WallContext {
-    std::vector<std::string> materials;                    // names in row order
-    Vec3 lower, upper;                                     // domain, m
-    std::map<std::string, std::vector<Triangle>> meshes;   // by wall name, as read from the file, unscaled
+    std::vector<std::string> materials;                  // names in row order
+    Vec3 lower, upper;                                   // domain, m
+    std::map<std::string, std::vector<Triangle>> meshes; // by wall name, as read from the file, unscaled
 };
 
 /// Checks the settings and builds the walls at their places, at rest, holes closed. Throws InputError that lists
@@ -128,16 +128,16 @@ std::map<std::string, std::vector<Real>> save_walls(Walls const& walls);
 void restore_walls(Walls& walls, std::map<std::string, std::vector<Real>> const& arrays);
 
 /// Nearest point of an element to a world point. side: see wall_geometry.hpp. The normal is in the world's frame.
-KOKKOS_FUNCTION inline WallProximity wall_proximity(WallViews const& views, WallBody const& body, int element,
-                                                    Vec3 const& x, Real grain_radius, Real& side)
+KOKKOS_FUNCTION inline WallProximity wall_proximity(WallViews const& views, WallBody const& body, int element, Vec3 const& x,
+                                                    Real grain_radius, Real& side)
 {
     Vec3 const local = body.pose.to_local(x);
     WallProximity p;
     switch (body.shape) {
     case WallShape::plane:
-        p = body.two_sided ? wall_geometry::plate(body.axis, views.hole, body.first_hole, body.holes, local,
-                                                  grain_radius, side)
-                           : wall_geometry::plane(body.axis, local);
+        p = body.two_sided
+                ? wall_geometry::plate(body.axis, views.hole, body.first_hole, body.holes, local, grain_radius, side)
+                : wall_geometry::plane(body.axis, local);
         break;
     case WallShape::cylinder:
         p = body.inside ? wall_geometry::tube(body.axis, body.length, body.radius, local, grain_radius, side)
@@ -148,8 +148,8 @@ KOKKOS_FUNCTION inline WallProximity wall_proximity(WallViews const& views, Wall
                         : wall_geometry::solid_box(body.half, local);
         break;
     case WallShape::mesh:
-        p = wall_geometry::mesh_triangle(views.mesh, body.first_triangle + element - body.first_element, local,
-                                         grain_radius, side);
+        p = wall_geometry::mesh_triangle(views.mesh, body.first_triangle + element - body.first_element, local, grain_radius,
+                                         side);
         break;
     }
     p.normal = body.pose.direction_to_world(p.normal);

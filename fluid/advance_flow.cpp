@@ -10,10 +10,8 @@
 
 #include <utility>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 Grid make_flow_grid(FluidSettings const& settings, Region const& box)
 {
@@ -65,8 +63,7 @@ void report_extremes(Flow const& flow_now, Real dt, FlowReport& report)
             Real const change = (at(flow.porosity, cell) - at(flow.porosity_previous, cell));
             continuity = Kokkos::max(continuity, Kokkos::abs(change + dt * divergence_at_cell(flow, cell)));
             for (int axis = 0; axis < 3; ++axis)
-                courant =
-                    Kokkos::max(courant, Kokkos::abs(at(flow.velocity[axis], cell)) * dt / flow.grid.spacing[axis]);
+                courant = Kokkos::max(courant, Kokkos::abs(at(flow.velocity[axis], cell)) * dt / flow.grid.spacing[axis]);
         },
         Largest(report.continuity_error), Largest(report.courant));
 }

@@ -9,11 +9,10 @@
 #include "fluid/flow_solver.hpp"
 #include "fluid/halos.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
-/// A flow at rest or at the settings' initial velocity, of uniform porosity, in the box (settings.box is not looked at: a wall may have cut it).
-/// Gravity enters the body force where the settings want it. Throws InputError.
+/// A flow at rest or at the settings' initial velocity, of uniform porosity, in the box (settings.box is not looked at: a
+/// wall may have cut it). Gravity enters the body force where the settings want it. Throws InputError.
 Flow make_flow(FluidSettings const& settings, Region const& box, bool with_grains, Vec3 gravity);
 
 FlowReport advance_flow(Flow& flow, FlowBoundary const& boundary, FlowSolver& solver, Real dt);

@@ -8,10 +8,8 @@
 
 #include <cmath>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr char const* face_names[6] = {"x_lower", "x_upper", "y_lower", "y_upper", "z_lower", "z_upper"};
 
@@ -63,8 +61,7 @@ void lay_patch(PatchSettings const& patch, Real share, BoundaryFace& face)
     tangential[axis] = 0;
 
     face.open = open_below + (patch.kind == PatchKind::pressure ? share : 0);
-    if (patch.kind == PatchKind::pressure)
-        face.pressure = (open_below * face.pressure + share * patch.pressure) / face.open;
+    if (patch.kind == PatchKind::pressure) face.pressure = (open_below * face.pressure + share * patch.pressure) / face.open;
     face.flux = below * face.flux + (patch.kind == PatchKind::velocity ? share * patch.velocity[axis] : 0);
     face.stick = below * face.stick + (sticks ? share : 0);
     face.wall_velocity = below * face.wall_velocity + (patch.kind == PatchKind::wall ? share : 0) * tangential;
@@ -121,8 +118,8 @@ void set_periodic_axes(FluidSettings const& settings, Grid& grid)
         grid.periodic[axis] = periodic[2 * axis] && periodic[2 * axis + 1];
         if (periodic[2 * axis] == periodic[2 * axis + 1]) continue;
         int const lone = periodic[2 * axis] ? 2 * axis : 2 * axis + 1;
-        faults += fmt::format("{}fluid patch on {}: periodic, but {} is not", faults.empty() ? "" : "\n",
-                              face_names[lone], face_names[lone ^ 1]);
+        faults += fmt::format("{}fluid patch on {}: periodic, but {} is not", faults.empty() ? "" : "\n", face_names[lone],
+                              face_names[lone ^ 1]);
     }
     if (!faults.empty()) throw InputError(faults);
 }

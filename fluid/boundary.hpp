@@ -8,8 +8,7 @@
 #include "core/scene.hpp"
 #include "fluid/grid_loops.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 struct BoundaryFace {
     Real open = 0;       // share under pressure patches; the rest is closed or has a prescribed flux
@@ -74,8 +73,7 @@ KOKKOS_INLINE_FUNCTION EdgeCondition edge_condition(Grid const& grid, FlowBounda
 
 /// Size of a face's control volume in cells: 1 inside, 1/2 at an open boundary face, 0 where the velocity
 /// is prescribed.
-KOKKOS_FORCEINLINE_FUNCTION Real face_weight(Grid const& grid, FlowBoundary const& boundary, int component,
-                                             Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real face_weight(Grid const& grid, FlowBoundary const& boundary, int component, Node const& face)
 {
     int const side = boundary_side(grid, component, face);
     if (side == 0) return 1;
@@ -83,8 +81,7 @@ KOKKOS_FORCEINLINE_FUNCTION Real face_weight(Grid const& grid, FlowBoundary cons
 }
 
 /// Share of the face through which the fluid can move freely.
-KOKKOS_FORCEINLINE_FUNCTION Real open_share(Grid const& grid, FlowBoundary const& boundary, int component,
-                                            Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real open_share(Grid const& grid, FlowBoundary const& boundary, int component, Node const& face)
 {
     int const side = boundary_side(grid, component, face);
     return side == 0 ? Real(1) : boundary_face(boundary, component, side, face).open;

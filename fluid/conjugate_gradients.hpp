@@ -9,8 +9,7 @@
 
 #include <cmath>
 
-namespace arenite
-{
+namespace arenite {
 
 struct KrylovVectors {
     View1<Real> solution, residual, preconditioned, direction, image;

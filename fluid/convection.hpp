@@ -7,8 +7,7 @@
 #include "fluid/boundary.hpp"
 #include "fluid/operators.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// Value half way between centre and downstream.
 KOKKOS_FORCEINLINE_FUNCTION Real carried_value(ConvectionScheme scheme, Real upstream, Real centre, Real downstream)
@@ -45,18 +44,15 @@ KOKKOS_FORCEINLINE_FUNCTION Real momentum_flux(ConvectionScheme scheme, FieldVie
 }
 
 /// div(n u u) for a component at a face inside the box, m/s2; u with filled halos.
-KOKKOS_FORCEINLINE_FUNCTION Real convection_at_face(Grid const& grid, ConvectionScheme scheme,
-                                                    FieldView const& porosity, FaceField const& u, int component,
-                                                    Node const& face)
+KOKKOS_FORCEINLINE_FUNCTION Real convection_at_face(Grid const& grid, ConvectionScheme scheme, FieldView const& porosity,
+                                                    FaceField const& u, int component, Node const& face)
 {
     Real sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
         bool const edges = axis != component && !grid.periodic[axis];
         int const index = face[axis] - Grid::halo;
-        Real const upper =
-            momentum_flux(scheme, porosity, u, component, axis, face, edges && index == grid.cells[axis] - 1);
-        Real const lower =
-            momentum_flux(scheme, porosity, u, component, axis, shifted(face, axis, -1), edges && index == 0);
+        Real const upper = momentum_flux(scheme, porosity, u, component, axis, face, edges && index == grid.cells[axis] - 1);
+        Real const lower = momentum_flux(scheme, porosity, u, component, axis, shifted(face, axis, -1), edges && index == 0);
         sum += (upper - lower) / grid.spacing[axis];
     }
     return sum;

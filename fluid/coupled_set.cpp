@@ -3,10 +3,8 @@
 
 #include <Kokkos_Sort.hpp>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 /// Mixes the bits of an id (finaliser of SplitMix64), so that sums of them tell sets apart.
 KOKKOS_FUNCTION std::uint64_t mixed(GrainId id)

@@ -6,8 +6,7 @@
 
 #include "fluid/deposit.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 struct CoupledSet {
     int count = -1;           // -1: no step was made yet

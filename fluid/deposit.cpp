@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr int grains_per_bin = 8;              // short enough for an insertion sort
 constexpr long long partial_limit = 2'000'000; // reals (16 MB) of partial sums held at once
@@ -87,8 +85,7 @@ View1<int> bin_numbers(DepositStencil const& stencil, RecordView const& position
                 if (scaled < 0) return;
                 Real const fraction = scaled - Kokkos::floor(scaled);
                 block = block * stencil.starts[axis] + start_cell(stencil, axis, scaled);
-                inner =
-                    inner * bins_per_axis + Kokkos::min(static_cast<int>(fraction * bins_per_axis), bins_per_axis - 1);
+                inner = inner * bins_per_axis + Kokkos::min(static_cast<int>(fraction * bins_per_axis), bins_per_axis - 1);
             }
             bin(row) = block * bins_per_axis * bins_per_axis * bins_per_axis + inner;
         });
@@ -103,7 +100,8 @@ void write_weights(GrainWeights const& weights, RecordView const& position, View
             int const row = weights.bins.item(entry);
             int const column[3] = {0, stencil.y_slot(), stencil.z_slot()};
             for (int slot = stencil.slots[0]; slot < stencil.y_slot(); ++slot) weights.weight(entry, slot) = 0;
-            for (int slot = stencil.y_slot() + stencil.slots[1]; slot < stencil.z_slot(); ++slot) weights.weight(entry, slot) = 0;
+            for (int slot = stencil.y_slot() + stencil.slots[1]; slot < stencil.z_slot(); ++slot)
+                weights.weight(entry, slot) = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 Real const scaled = cell_coordinate(stencil.grid, axis, position(row, axis));
                 write_axis_weights(stencil, axis, scaled, &weights.weight(entry, column[axis]));
@@ -165,15 +163,16 @@ template <int components> struct PartSum {
     RowSum<components> row[rows];
 
     /// Over every `stride`-th of the block's entries, from number `start` on.
-    KOKKOS_FORCEINLINE_FUNCTION void add_entries(GrainWeights const& weights, Part const& part, TableView const& quantity, int start,
-                                                 int stride)
+    KOKKOS_FORCEINLINE_FUNCTION void add_entries(GrainWeights const& weights, Part const& part, TableView const& quantity,
+                                                 int start, int stride)
     {
         DepositStencil const& stencil = weights.stencil;
         int const block = part.sx + stencil.starts[0] * (part.sy + stencil.starts[1] * part.sz);
         int const first = weights.begin(block) + start, last = weights.begin(block + 1);
         std::ptrdiff_t const columns = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
         Real const* w = weights.weight.data() + first * columns;
-        Real const* values = quantity.data() + static_cast<std::ptrdiff_t>(first) * components; // without grains there is no row
+        Real const* values =
+            quantity.data() + static_cast<std::ptrdiff_t>(first) * components; // without grains there is no row
         int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
         for (int entry = first; entry < last; entry += stride, w += stride * columns, values += stride * components)
             for (int r = 0; r < rows; ++r) row[r].add(w[y + r] * w[z], w + x, values);
@@ -191,7 +190,8 @@ template <int components> struct PartSum {
 
 /// The pieces of all parts, a part a work item.
 template <int components>
-void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts, View1<Real> const& partial)
+void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts,
+               View1<Real> const& partial)
 {
     Kokkos::parallel_for(
         "deposit_parts", RangePolicy(0, parts), KOKKOS_LAMBDA(int number) {
@@ -205,7 +205,8 @@ void sum_parts(GrainWeights const& weights, TableView const& quantity, int first
 
 /// The same, a part a warp: for a device, on which a few thousand parts of hundreds of grains would leave most threads idle.
 template <int components>
-void sum_parts_by_warps(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts, View1<Real> const& partial)
+void sum_parts_by_warps(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts,
+                        View1<Real> const& partial)
 {
     constexpr int warp = 32; // part of the result's definition
     Kokkos::parallel_for(
@@ -245,13 +246,14 @@ KOKKOS_FUNCTION void add_pieces(DepositStencil const& stencil, View1<Real> const
 }
 
 /// Two passes over some planes of cells: the pieces, then the cells.
-template <int components> void deposit_planes(GrainWeights const& weights, TableView const& quantity,
-                                              TableView const& cell, int first_plane, int planes,
-                                              View1<Real> const& partial)
+template <int components>
+void deposit_planes(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int first_plane,
+                    int planes, View1<Real> const& partial)
 {
     DepositStencil const stencil = weights.stencil;
     int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
-    int const parts = planes * stencil.slots[2] * stencil.row_groups * stencil.starts[1] * stencil.starts[0] * stencil.groups;
+    int const parts =
+        planes * stencil.slots[2] * stencil.row_groups * stencil.starts[1] * stencil.starts[0] * stencil.groups;
     if constexpr (on_host) sum_parts<components>(weights, quantity, first_plane, parts, partial);
     else sum_parts_by_warps<components>(weights, quantity, first_plane, parts, partial);
     Kokkos::parallel_for(
@@ -263,8 +265,7 @@ template <int components> void deposit_planes(GrainWeights const& weights, Table
         });
 }
 
-template <int components>
-void deposit_all(GrainWeights const& weights, TableView const& quantity, TableView const& cell)
+template <int components> void deposit_all(GrainWeights const& weights, TableView const& quantity, TableView const& cell)
 {
     DepositStencil const& stencil = weights.stencil;
     long long const plane = 1LL * stencil.grid.cells[1] * stencil.slots[1] * stencil.slots[2] * stencil.starts[0] *

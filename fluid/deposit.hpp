@@ -15,8 +15,7 @@
 #include "core/lanes.hpp"
 #include "core/particles.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// [item][component], component count chosen at run time.
 using TableView = Kokkos::View<Real**, Kokkos::LayoutRight, MemorySpace>;
@@ -25,8 +24,9 @@ using TableView = Kokkos::View<Real**, Kokkos::LayoutRight, MemorySpace>;
 /// the same start cell share a block of cells. Near a wall, and in a box of fewer cells than slots, the
 /// block is moved or cut so that it lies in the box.
 struct DepositStencil {
-    static constexpr int group = 4;                           // slots of x in a Quad; their storage is padded to it
-    static constexpr int rows_at_once = lane_count > 1 ? 4 : 1; // slots of y that are summed at once: a GPU wants many small sums
+    static constexpr int group = 4; // slots of x in a Quad; their storage is padded to it
+    static constexpr int rows_at_once =
+        lane_count > 1 ? 4 : 1; // slots of y that are summed at once: a GPU wants many small sums
 
     Grid grid;
     Real support_radius = 0;    // m
@@ -85,8 +85,8 @@ KOKKOS_FUNCTION constexpr int interpolated_columns(int components) { return (com
 
 /// One entry's mean of the cells' values, the adjoint of deposit: sum over cells of weight * cell(c, q).
 /// cell: [cell number][interpolated_columns(components) or more].
-template <int components> KOKKOS_FUNCTION void interpolate_at(GrainWeights const& weights, int entry,
-                                                              TableView const& cell, Real (&value)[components])
+template <int components>
+KOKKOS_FUNCTION void interpolate_at(GrainWeights const& weights, int entry, TableView const& cell, Real (&value)[components])
 {
     constexpr int quads = interpolated_columns(components) / 4;
     DepositStencil const& stencil = weights.stencil;

@@ -15,8 +15,7 @@
 #include <type_traits>
 #include <variant>
 
-namespace arenite
-{
+namespace arenite {
 
 /// What a law may look at.
 struct DragPoint {
@@ -109,8 +108,7 @@ struct GidaspowDrag {
     {
         constexpr Real pi = std::numbers::pi_v<Real>;
         Real const d = at.diameter, n = at.porosity;
-        if (n < Real(0.8))
-            return pi / 6 * d * (150 * (1 - n) / n * viscosity + Real(1.75) * density * at.slip_speed * d);
+        if (n < Real(0.8)) return pi / 6 * d * (150 * (1 - n) / n * viscosity + Real(1.75) * density * at.slip_speed * d);
         Real const reynolds = density * n * at.slip_speed * d / viscosity;
         Real const crowding = Kokkos::pow(n, Real(-2.65));
         if (reynolds >= 1000) return pi / 8 * Real(0.44) * density * d * d * n * at.slip_speed * crowding;
@@ -137,16 +135,15 @@ struct BeetstraDrag {
 
 /// A grain of diameter d_g stands for k^3 particles of d_g/k and feels their drag (physics.md section 2): with
 /// the grain's own diameter in the law a pack would be k^2 times too permeable.
-template <class Law>
-KOKKOS_FUNCTION Real grain_drag_coefficient(Law const& law, DragPoint grain, Real coarse_grain_factor)
+template <class Law> KOKKOS_FUNCTION Real grain_drag_coefficient(Law const& law, DragPoint grain, Real coarse_grain_factor)
 {
     grain.diameter /= coarse_grain_factor;
     return coarse_grain_factor * coarse_grain_factor * coarse_grain_factor * law(grain);
 }
 
 /// The menu. The choice is made once, outside the kernels: std::visit.
-using AnyDragLaw = std::variant<NoDrag, ConstantDrag, StokesDrag, SchillerNaumannDrag, DiFeliceDrag,
-                                LiteralDiFeliceDrag, GidaspowDrag, BeetstraDrag>;
+using AnyDragLaw = std::variant<NoDrag, ConstantDrag, StokesDrag, SchillerNaumannDrag, DiFeliceDrag, LiteralDiFeliceDrag,
+                                GidaspowDrag, BeetstraDrag>;
 static_assert(std::is_trivially_copyable_v<AnyDragLaw>);
 
 inline AnyDragLaw make_drag_law(FluidSettings const& fluid)

@@ -9,15 +9,10 @@
 #include <algorithm>
 #include <numbers>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
-KOKKOS_FUNCTION Real sphere_volume(Real radius)
-{
-    return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius;
-}
+KOKKOS_FUNCTION Real sphere_volume(Real radius) { return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius; }
 
 /// Work arrays grow with the number of grains and are kept when it falls.
 void fit(TableView& table, char const* label, int rows, int columns)
@@ -131,8 +126,7 @@ void write_drag(Flow const& flow, TableView const& cell_sum)
     for_each_cell(
         "write_drag", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
             int const number = cell_number(flow.grid, cell);
-            for (int axis = 0; axis < 3; ++axis)
-                at(flow.drag_velocity[axis], cell) = cell_sum(number, axis) * per_volume;
+            for (int axis = 0; axis < 3; ++axis) at(flow.drag_velocity[axis], cell) = cell_sum(number, axis) * per_volume;
             at(flow.drag, cell) = cell_sum(number, 3) * per_volume;
         });
 }
@@ -144,18 +138,16 @@ void gather_step(Flow const& flow, FlowSolver const& solver, TableView const& va
     for_each_cell(
         "gather_step", flow.grid, KOKKOS_LAMBDA(Node const& cell) {
             int const number = cell_number(flow.grid, cell);
-            Vec3 const velocity = velocity_at_cell(flow, cell),
-                       force = stress_force_at_cell(flow.grid, face_force, cell);
-            for (int axis = 0; axis < 3; ++axis)
-                value(number, axis) = velocity[axis], value(number, 3 + axis) = force[axis];
+            Vec3 const velocity = velocity_at_cell(flow, cell), force = stress_force_at_cell(flow.grid, face_force, cell);
+            for (int axis = 0; axis < 3; ++axis) value(number, axis) = velocity[axis], value(number, 3 + axis) = force[axis];
         });
 }
 
 /// pressure_force: the part that is not drag, or an empty view.
 void write_fluid_force(Exchange const& exchange, Particles const& particles)
 {
-    RecordView const fluid_force = particles.fluid_force, pressure_force = particles.pressure_force, coasting = particles.coasting,
-                     velocity = particles.velocity;
+    RecordView const fluid_force = particles.fluid_force, pressure_force = particles.pressure_force,
+                     coasting = particles.coasting, velocity = particles.velocity;
     Real const dt = exchange.time_step;
     bool const apart = pressure_force.is_allocated();
     if (apart) Kokkos::deep_copy(ExecutionSpace(), pressure_force, Real(0));
@@ -216,7 +208,8 @@ void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles
 {
     Phase const phase("deposit");
     ExchangeReport report;
-    exchange.weights = make_grain_weights(exchange.stencil, particles.position, particles.id, particles.count, exchange.weights);
+    exchange.weights =
+        make_grain_weights(exchange.stencil, particles.position, particles.id, particles.count, exchange.weights);
     GrainWeights const& weights = exchange.weights;
     report.coupled = weights.entries;
     fit(exchange.volume, "grain_volume", weights.entries, 1);
@@ -292,16 +285,14 @@ std::vector<std::string> check_exchange(Exchange const& exchange, Particles cons
     Real const diameter = largest_diameter(exchange.weights, particles.position);
     Real const radius = exchange.stencil.support_radius;
     if (radius < diameter)
-        remarks.push_back(
-            fmt::format("fluid.smoothing_length {:.3g} m is less than the largest grain's diameter, {:.3g} m: "
-                        "a cell inside a grain may fall below the least porosity",
-                        radius, diameter));
+        remarks.push_back(fmt::format("fluid.smoothing_length {:.3g} m is less than the largest grain's diameter, {:.3g} m: "
+                                      "a cell inside a grain may fall below the least porosity",
+                                      radius, diameter));
     Real const edge = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z, radius});
     if (edge < 3 * diameter)
-        remarks.push_back(
-            fmt::format("cells and smoothing length of {:.3g} m average over {:.2f} diameters of the largest "
-                        "grain; the averaged equations want 3",
-                        edge, edge / diameter));
+        remarks.push_back(fmt::format("cells and smoothing length of {:.3g} m average over {:.2f} diameters of the largest "
+                                      "grain; the averaged equations want 3",
+                                      edge, edge / diameter));
     Real const stiffness = drag_stiffness(exchange, particles);
     if (stiffness > Real(0.5))
         remarks.push_back(
@@ -310,10 +301,10 @@ std::vector<std::string> check_exchange(Exchange const& exchange, Particles cons
                         exchange.time_step, stiffness));
     ExchangeReport const& report = exchange.report;
     if (report.limited_cells > 0)
-        remarks.push_back(fmt::format(
-            "{} cells are below the least porosity {}: {:.3g} m3 of grains are hidden from the fluid "
-            "(lowest {:.3f})",
-            report.limited_cells, exchange.minimum_porosity, report.limited_volume, report.lowest_porosity));
+        remarks.push_back(
+            fmt::format("{} cells are below the least porosity {}: {:.3g} m3 of grains are hidden from the fluid "
+                        "(lowest {:.3f})",
+                        report.limited_cells, exchange.minimum_porosity, report.limited_volume, report.lowest_porosity));
     return remarks;
 }
 

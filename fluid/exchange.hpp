@@ -21,8 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace arenite
-{
+namespace arenite {
 
 /// What a fluid step did to the grains' side; nothing is limited or left out without a number here.
 struct ExchangeReport {
@@ -59,8 +58,8 @@ Exchange make_exchange(Flow const& flow, Particles& particles, FluidSettings con
 void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles);
 
 /// beta of every grain from the field as it is, and flow.drag, flow.drag_velocity from it, for a fluid step of dt [s].
-/// Implicit in the grain's velocity too: beta' = beta / (1 + beta dt / m) and v' = v + dt F / m, F being what else acts on the
-/// grain, so that a step of any length is stable and a grain at rest on others feels beta u.
+/// Implicit in the grain's velocity too: beta' = beta / (1 + beta dt / m) and v' = v + dt F / m, F being what else acts on
+/// the grain, so that a step of any length is stable and a grain at rest on others feels beta u.
 void deposit_drag(Flow& flow, Exchange& exchange, Particles const& particles, Real dt);
 
 /// particles.fluid_force from the field as it is now; 0 for grains outside the box. Its fourth component is beta.

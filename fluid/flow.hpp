@@ -17,9 +17,9 @@ namespace arenite {
 
 struct Flow {
     Grid grid;
-    Real density = 0;            // kg/m3
-    Real viscosity = 0;          // Pa s
-    Vec3 body_force;             // Pa/m, rho g included where the scene has gravity
+    Real density = 0;   // kg/m3
+    Real viscosity = 0; // Pa s
+    Vec3 body_force;    // Pa/m, rho g included where the scene has gravity
 
     FieldView velocity[3];       // [face] u, v, w, m/s, interstitial; u(i) is the lower x-face of cell i
     FieldView pressure;          // [cell] p, Pa, hydrostatic part included
@@ -27,8 +27,8 @@ struct Flow {
     FieldView porosity_previous; // [cell] n at the old time level
 
     // The grains' side, empty in a flow without grains. What exchange.hpp deposits.
-    FieldView drag;              // [cell] B, N s/m4
-    FieldView drag_velocity[3];  // [cell] b, N/m3
+    FieldView drag;             // [cell] B, N s/m4
+    FieldView drag_velocity[3]; // [cell] b, N/m3
 
     KOKKOS_FUNCTION bool has_drag() const { return drag.is_allocated(); }
 };
@@ -36,9 +36,9 @@ struct Flow {
 /// What one fluid step reports; the driver writes it to history.csv and stops on trouble.
 struct FlowReport {
     int pressure_iterations = 0;
-    Real pressure_residual = 0;  // relative
-    Real continuity_error = 0;   // max |dn/dt + div(n u)| * dt, dimensionless
-    Real courant = 0;            // max |u| dt / dx
+    Real pressure_residual = 0;   // relative
+    Real continuity_error = 0;    // max |dn/dt + div(n u)| * dt, dimensionless
+    Real courant = 0;             // max |u| dt / dx
     Real inflow = 0, outflow = 0; // m3/s of fluid through the boundary, both >= 0
     bool converged = true;
 };

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/flow_balance.hpp"
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 /// Volume of a face's control volume, m3; 0 for a slot that is no face of the component.
 KOKKOS_INLINE_FUNCTION Real control_volume(Grid const& grid, int component, Node const& face)

@@ -12,8 +12,7 @@
 #include "fluid/flow_solver.hpp"
 #include "fluid/operators.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// -grad p + div tau at a cell, Pa/m.
 KOKKOS_INLINE_FUNCTION Vec3 stress_force_at_cell(Grid const& grid, FaceField const& face_force, Node const& cell)

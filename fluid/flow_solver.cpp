@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/flow_solver.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 FlowSolver make_flow_solver(FluidSettings const& settings, Flow const& flow)
 {
@@ -15,8 +14,7 @@ FlowSolver make_flow_solver(FluidSettings const& settings, Flow const& flow)
     solver.velocity_limits.iterations = 5000;
 
     solver.previous_velocity = make_face_field(grid, "previous_velocity");
-    for (int axis = 0; axis < 3; ++axis)
-        Kokkos::deep_copy(solver.previous_velocity.component[axis], flow.velocity[axis]);
+    for (int axis = 0; axis < 3; ++axis) Kokkos::deep_copy(solver.previous_velocity.component[axis], flow.velocity[axis]);
     solver.porosity_oldest = grid.make_field("porosity_oldest");
     Kokkos::deep_copy(solver.porosity_oldest, flow.porosity_previous);
     solver.face_force = make_face_field(grid, "face_force");

@@ -15,8 +15,7 @@
 #include "fluid/flow.hpp"
 #include "fluid/multigrid.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 enum class TimeScheme { euler, bdf2 };
 

@@ -4,8 +4,7 @@
 
 #include "core/grid.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// Index into a field, halo included, so that field(i, j, k) needs no shift.
 struct Node {
@@ -67,9 +66,8 @@ template <class Body> void for_each_cell(char const* label, Grid const& grid, Bo
 {
     int const nx = grid.cells[0], ny = grid.cells[1];
     Kokkos::parallel_for(
-        label, RangePolicy(0, grid.cell_count()), KOKKOS_LAMBDA(int c) {
-            body(Node{c % nx + Grid::halo, c / nx % ny + Grid::halo, c / nx / ny + Grid::halo});
-        });
+        label, RangePolicy(0, grid.cell_count()),
+        KOKKOS_LAMBDA(int c) { body(Node{c % nx + Grid::halo, c / nx % ny + Grid::halo, c / nx / ny + Grid::halo}); });
 }
 
 /// Flat index of a cell without the halo, x fastest: the pressure solver's numbering.
@@ -113,9 +111,7 @@ template <class Body> void for_each_node(char const* label, Grid const& grid, Bo
 {
     int const nx = grid.allocated(0), ny = grid.allocated(1), nz = grid.allocated(2);
     Kokkos::parallel_for(
-        label, RangePolicy(0, nx * ny * nz), KOKKOS_LAMBDA(int c) {
-            body(Node{c % nx, c / nx % ny, c / nx / ny});
-        });
+        label, RangePolicy(0, nx * ny * nz), KOKKOS_LAMBDA(int c) { body(Node{c % nx, c / nx % ny, c / nx / ny}); });
 }
 
 } // namespace arenite

@@ -3,10 +3,8 @@
 
 #include "fluid/operators.hpp"
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 KOKKOS_INLINE_FUNCTION int source_index(Grid const& grid, int axis, int index)
 {
@@ -51,8 +49,7 @@ KOKKOS_INLINE_FUNCTION Real halo_velocity(Flow const& flow, FlowBoundary const& 
     Node record = inside; // the boundary is known along the cells, not beyond the box's edges
     for (int other = 0; other < 3; ++other)
         if (other != axis && other != component) record[other] = source_index(grid, other, record[other]);
-    Real const porosity =
-        inside[component] > 0 ? mean_at_face(flow.porosity, component, inside) : at(flow.porosity, inside);
+    Real const porosity = inside[component] > 0 ? mean_at_face(flow.porosity, component, inside) : at(flow.porosity, inside);
     EdgeCondition const edge = edge_condition(grid, boundary, axis, index < 0 ? -1 : 1, component, record, porosity);
     return (1 - 2 * edge.stick) * at(u, inside) + 2 * edge.stick_velocity;
 }
@@ -65,8 +62,7 @@ void fill_cell_halos(Flow const& flow)
     Grid const grid = flow.grid;
     for_each_node(
         "fill_cell_halos", grid, KOKKOS_LAMBDA(Node const& node) {
-            Node const source{source_index(grid, 0, node.i), source_index(grid, 1, node.j),
-                              source_index(grid, 2, node.k)};
+            Node const source{source_index(grid, 0, node.i), source_index(grid, 1, node.j), source_index(grid, 2, node.k)};
             if (source.i == node.i && source.j == node.j && source.k == node.k) return;
             for (int f = 0; f < fields.count; ++f) at(fields.field[f], node) = at(fields.field[f], source);
         });
@@ -89,8 +85,7 @@ void fill_velocity_halos(Flow const& flow_now, FlowBoundary const& boundary_now)
                 node[b] = t / na % nb;
                 node[axis] = layer < Grid::halo ? layer : n + layer;
                 for (int component = 0; component < 3; ++component) {
-                    bool const last_face =
-                        node[axis] == n + Grid::halo && component == axis && !flow.grid.periodic[axis];
+                    bool const last_face = node[axis] == n + Grid::halo && component == axis && !flow.grid.periodic[axis];
                     if (!last_face)
                         at(flow.velocity[component], node) = halo_velocity(flow, boundary, axis, component, node);
                 }

@@ -5,8 +5,7 @@
 #include "fluid/boundary.hpp"
 #include "fluid/flow.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// Cell fields: the periodic image, or the nearest cell's value, so that the mean at a boundary face is the
 /// boundary cell's own value.

@@ -6,10 +6,8 @@
 
 #include <KokkosBlas1_mult.hpp>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 using UnmanagedField = Kokkos::View<Real***, Kokkos::LayoutLeft, MemorySpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
@@ -77,8 +75,7 @@ KOKKOS_INLINE_FUNCTION Real right_hand_side(MomentumSystem const& s, RowFields c
     Real const open = open_share(flow.grid, s.boundary, component, face);
     Real force = flow.body_force[component] - pressure_gradient_at_face(s, component, face);
     force += drag_velocity_at_face(flow, component, face) / n;
-    force +=
-        (at(fields.history.component[component], face) - at(fields.convective.component[component], face)) / (n * open);
+    force += (at(fields.history.component[component], face) - at(fields.convective.component[component], face)) / (n * open);
     if (boundary_side(flow.grid, component, face) == 0)
         force += flow.viscosity / 3 * mixed_derivative_at_face(flow.grid, fields.extrapolated, component, face);
     else // the drag acts on what moves through the open share, not on the prescribed flux beside it
@@ -105,8 +102,7 @@ void build_velocity_system(MomentumSystem const& system, FlowSolver const& solve
             Real const scaled = row_weight(s, component, face) * inertia_and_drag(s, component, face) /
                                 (n * open_share(grid, s.boundary, component, face));
             at(diagonal.component[component], face) = 1 / own;
-            at(residual.component[component], face) = right_hand_side(s, fields, component, face) -
-                                                      scaled * at(u, face) +
+            at(residual.component[component], face) = right_hand_side(s, fields, component, face) - scaled * at(u, face) +
                                                       diffusion_at_face(s, u, component, face, 1);
         });
 }
@@ -122,15 +118,14 @@ void apply_velocity_system(MomentumSystem const& system, View1<Real> const& vect
             Real const n = mean_at_face(s.flow.porosity, component, face);
             Real const scaled = row_weight(s, component, face) * inertia_and_drag(s, component, face) /
                                 (n * open_share(grid, s.boundary, component, face));
-            at(result.component[component], face) = scaled * at(u.component[component], face) -
-                                                    diffusion_at_face(s, u.component[component], component, face, 0);
+            at(result.component[component], face) =
+                scaled * at(u.component[component], face) - diffusion_at_face(s, u.component[component], component, face, 0);
         });
 }
 
 void keep_velocity(Flow const& flow, FlowSolver const& solver)
 {
-    for (int c = 0; c < 3; ++c)
-        Kokkos::deep_copy(ExecutionSpace(), solver.previous_velocity.component[c], flow.velocity[c]);
+    for (int c = 0; c < 3; ++c) Kokkos::deep_copy(ExecutionSpace(), solver.previous_velocity.component[c], flow.velocity[c]);
 }
 
 void add_velocity(Flow const& flow_now, View1<Real> const& vector)

@@ -5,8 +5,7 @@
 #include "fluid/boundary.hpp"
 #include "fluid/flow_solver.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// Sets flow.velocity to the predicted one; false when the viscous solve did not converge.
 bool predict_velocity(Flow& flow, FlowBoundary const& boundary, FlowSolver& solver, TimeDerivative const& time);

@@ -17,8 +17,7 @@
 #include "fluid/flow_solver.hpp"
 #include "fluid/operators.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 struct MomentumSystem { // captured by kernels, by value
     Flow flow;
@@ -107,15 +106,14 @@ KOKKOS_FORCEINLINE_FUNCTION Real link_scale(MomentumSystem const& s, int compone
 {
     Real scale = 1;
     for (int other = 0; other < 3; ++other) {
-        if (other == axis || other == component || !beside_end(s.flow.grid, other, from))
-            continue; // `to`: the same layer
+        if (other == axis || other == component || !beside_end(s.flow.grid, other, from)) continue; // `to`: the same layer
         scale *= Real(0.5) * (wall_scale(s, component, other, from) + wall_scale(s, component, other, to));
     }
     return scale;
 }
 
-KOKKOS_FORCEINLINE_FUNCTION Real scale_of_link(MomentumSystem const& s, int component, int axis, Node const& face,
-                                               int by, bool beside)
+KOKKOS_FORCEINLINE_FUNCTION Real scale_of_link(MomentumSystem const& s, int component, int axis, Node const& face, int by,
+                                               bool beside)
 {
     return beside ? link_scale(s, component, axis, face, neighbour(s.flow.grid, face, axis, by)) : Real(1);
 }
@@ -152,8 +150,7 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
     for (int upper = 0; upper < 2; ++upper) {
         bool const at_boundary = !grid.periodic[axis] && index == (upper ? grid.cells[axis] - 1 : 0);
         if (!at_boundary) {
-            link.coefficient[upper] =
-                weight * coefficient * scale_of_link(s, component, axis, face, upper ? 1 : -1, beside);
+            link.coefficient[upper] = weight * coefficient * scale_of_link(s, component, axis, face, upper ? 1 : -1, beside);
             continue;
         }
         Real const n = mean_at_face(s.flow.porosity, component, face);
@@ -167,7 +164,8 @@ KOKKOS_FORCEINLINE_FUNCTION ViscousLink viscous_link(MomentumSystem const& s, in
     return link;
 }
 
-/// Whether the row is clear of all boundaries by a cell, as most are: its weight is 1, and nothing about its links need be asked.
+/// Whether the row is clear of all boundaries by a cell, as most are: its weight is 1, and nothing about its
+/// links need be asked.
 KOKKOS_FORCEINLINE_FUNCTION bool is_clear(Grid const& grid, Node const& face)
 {
     for (int axis = 0; axis < 3; ++axis) {

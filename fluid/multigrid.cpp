@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 // Chebyshev polynomial of degree 2 on [low, high]; the Jacobi-scaled matrix has no eigenvalue above 2, and
 // its eigenvalues below `low` are the coarse level's.
@@ -17,7 +15,8 @@ constexpr Real second_ratio = 1 / (2 * centre / radius - radius / centre);
 constexpr Real momentum = second_ratio * radius / centre; // of the first step's correction in the second
 constexpr Real second_step = 2 * second_ratio / radius;
 
-/// Where a cell is. A host makes it once for a line of cells: integer divisions are what these loops would spend their time on.
+/// Where a cell is. A host makes it once for a line of cells: integer divisions are what these loops would spend
+/// their time on.
 struct Place {
     int number;
     int c[3];
@@ -194,11 +193,11 @@ struct SmallCycle {
         int const last = levels - 1;
         for (int l = 0; l < last; ++l) {
             each(level[l], [&](Place const& cell) { smooth_from_zero(level[l], right_hand_side(l), cell); });
-            each(level[l + 1], [&](Place const& cell) {
-                restrict_residual(level[l], level[l + 1], right_hand_side(l), cell);
-            });
+            each(level[l + 1],
+                 [&](Place const& cell) { restrict_residual(level[l], level[l + 1], right_hand_side(l), cell); });
         }
-        each(level[last], [&](Place const& cell) { solve_coarsest(level[last], right_hand_side(last), solution(last), cell); });
+        each(level[last],
+             [&](Place const& cell) { solve_coarsest(level[last], right_hand_side(last), solution(last), cell); });
         for (int l = last - 1; l >= 0; --l) {
             each(level[l], [&](Place const& cell) {
                 prolong_and_smooth(level[l], level[l + 1], right_hand_side(l), solution(l), cell);
@@ -255,8 +254,7 @@ void coarsen_conductance(MultigridLevel const& fine_level, MultigridLevel const&
             Real sum = 0;
             for (int k = first[2]; k < end[2]; ++k)
                 for (int j = first[1]; j < end[1]; ++j)
-                    for (int i = first[0]; i < end[0]; ++i)
-                        sum += fine.conductance[axis](fine.face_number(axis, {i, j, k}));
+                    for (int i = first[0]; i < end[0]; ++i) sum += fine.conductance[axis](fine.face_number(axis, {i, j, k}));
             Real const distance = below > 0 && above > 0 ? Real(0.5) * (below + above) : Real(below + above);
             bool const self = n == 1 && coarse.periodic[axis]; // a cell that is its own neighbour
             coarse.conductance[axis](number) = self ? 0 : sum / distance;

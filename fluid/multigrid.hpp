@@ -14,8 +14,7 @@
 
 #include <vector>
 
-namespace arenite
-{
+namespace arenite {
 
 struct MultigridLevel {
     int cells[3] = {1, 1, 1};

@@ -11,8 +11,7 @@
 #include "fluid/flow.hpp"
 #include "fluid/grid_loops.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// Cell field at the face between the cells node - 1 and node. The halo holds a copy of the boundary cell.
 KOKKOS_FORCEINLINE_FUNCTION Real mean_at_face(FieldView const& cell_field, int axis, Node const& face)
@@ -20,8 +19,7 @@ KOKKOS_FORCEINLINE_FUNCTION Real mean_at_face(FieldView const& cell_field, int a
     return Real(0.5) * (at(cell_field, shifted(face, axis, -1)) + at(cell_field, face));
 }
 
-KOKKOS_FORCEINLINE_FUNCTION Real difference_at_face(FieldView const& cell_field, int axis, Node const& face,
-                                                    Real spacing)
+KOKKOS_FORCEINLINE_FUNCTION Real difference_at_face(FieldView const& cell_field, int axis, Node const& face, Real spacing)
 {
     return (at(cell_field, face) - at(cell_field, shifted(face, axis, -1))) / spacing;
 }
@@ -32,8 +30,7 @@ KOKKOS_FORCEINLINE_FUNCTION Real mean_at_cell(FieldView const& face_field, int a
     return Real(0.5) * (at(face_field, cell) + at(face_field, shifted(cell, axis, 1)));
 }
 
-KOKKOS_FORCEINLINE_FUNCTION Real difference_at_cell(FieldView const& face_field, int axis, Node const& cell,
-                                                    Real spacing)
+KOKKOS_FORCEINLINE_FUNCTION Real difference_at_cell(FieldView const& face_field, int axis, Node const& cell, Real spacing)
 {
     return (at(face_field, shifted(cell, axis, 1)) - at(face_field, cell)) / spacing;
 }

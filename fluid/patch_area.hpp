@@ -5,8 +5,7 @@
 
 #include "core/types.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// Rectangle [lower, upper] in the two directions along a face, m.
 struct FaceRectangle {

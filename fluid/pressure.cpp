@@ -6,10 +6,8 @@
 
 #include <fmt/format.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 /// n u through the two faces of a cell; a periodic upper face is the first one.
 struct CellFluxes {
@@ -70,8 +68,8 @@ Throughput measure_throughput(Flow const& flow_now, FlowSolver& solver, Real dt)
     Terms<2> const sums = reproducible_sums<2>(
         solver.sums, "measure_throughput", flow.grid.cell_count(), KOKKOS_LAMBDA(int c) {
             Node const cell = cell_of_number(flow.grid, c);
-            Real passing = (at(flow.porosity, cell) + at(flow.porosity_previous, cell)) / dt * flow.grid.cell_volume() *
-                           Real(1e-2);
+            Real passing =
+                (at(flow.porosity, cell) + at(flow.porosity_previous, cell)) / dt * flow.grid.cell_volume() * Real(1e-2);
             for (int axis = 0; axis < 3; ++axis) {
                 CellFluxes const flux = fluxes_of(flow, axis, cell);
                 passing += (Kokkos::abs(flux.lower) + Kokkos::abs(flux.upper)) * flow.grid.face_area(axis);
@@ -114,16 +112,13 @@ void close_mass(FlowBoundary const& boundary, FlowSolver& solver)
     Kokkos::deep_copy(ExecutionSpace(), v.direction, Real(1));
     apply_conductances(solver.levels[0], v.direction, v.image);
     Terms<2> const sums = reproducible_sums<2>(
-        solver.sums, "close_mass", cells, KOKKOS_LAMBDA(int c) {
-            return Terms<2>{v.residual(c), v.image(c)};
-        });
+        solver.sums, "close_mass", cells, KOKKOS_LAMBDA(int c) { return Terms<2>{v.residual(c), v.image(c)}; });
     add_constant(v.solution, sums[0] / sums[1]);
 }
 
 } // namespace
 
-KrylovReport solve_pressure(Flow const& flow, FlowBoundary const& boundary, FlowSolver& solver,
-                            TimeDerivative const& time)
+KrylovReport solve_pressure(Flow const& flow, FlowBoundary const& boundary, FlowSolver& solver, TimeDerivative const& time)
 {
     Phase const phase("pressure solve");
     KrylovVectors const& v = solver.pressure_system;

@@ -11,15 +11,12 @@
 
 #include "fluid/flow_solver.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// phi into solver.pressure_system.solution, [cell]. Throws SimulationError when
 /// a closed box is asked to take in or give up fluid.
-KrylovReport solve_pressure(Flow const& flow, FlowBoundary const& boundary, FlowSolver& solver,
-                            TimeDerivative const& time);
+KrylovReport solve_pressure(Flow const& flow, FlowBoundary const& boundary, FlowSolver& solver, TimeDerivative const& time);
 
-void correct_velocity(Flow const& flow, FlowBoundary const& boundary, FlowSolver const& solver,
-                      TimeDerivative const& time);
+void correct_velocity(Flow const& flow, FlowBoundary const& boundary, FlowSolver const& solver, TimeDerivative const& time);
 
 } // namespace arenite

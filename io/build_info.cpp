@@ -47,8 +47,7 @@ std::string describe_build()
         fmt::format("Arenite {} ({}), {}, {}\n", build.version, build.commit, build.compiler, build.build_type);
     text += fmt::format("Kokkos {}, Kokkos Kernels {}, backend {} with {} threads at once\n", build.kokkos,
                         build.kokkos_kernels, machine.backend, machine.concurrency);
-    text +=
-        fmt::format("CPU: {}, {} logical cores, {:.1f} GiB\n", machine.cpu, machine.cores, machine.memory / (1 << 30));
+    text += fmt::format("CPU: {}, {} logical cores, {:.1f} GiB\n", machine.cpu, machine.cores, machine.memory / (1 << 30));
     text += fmt::format("GPU: {}\n", machine.gpu.empty() ? "not used" : machine.gpu);
     for (OptionalPart const& part : optional_parts())
         text += fmt::format("{}: {}\n", part.name, part.present ? part.version : "left out (" + part.without + ")");

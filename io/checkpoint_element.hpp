@@ -43,8 +43,8 @@ inline std::size_t size_of(std::vector<std::size_t> const& shape)
     return size;
 }
 
-template <class ViewType> using HostRows =
-    Kokkos::View<typename ViewType::non_const_data_type, Kokkos::LayoutRight, HostSpace>;
+template <class ViewType>
+using HostRows = Kokkos::View<typename ViewType::non_const_data_type, Kokkos::LayoutRight, HostSpace>;
 
 /// A View of that shape, not initialised; extents known at compile time are not passed.
 template <class ViewType> ViewType allocated(std::string const& label, std::vector<std::size_t> const& shape)

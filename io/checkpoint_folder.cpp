@@ -53,8 +53,7 @@ std::vector<fs::path> list_checkpoints(fs::path const& folder)
     std::error_code error;
     for (auto const& entry : fs::directory_iterator(folder, error))
         if (step_in_name(entry.path())) paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end(),
-              [](auto const& a, auto const& b) { return *step_in_name(a) < *step_in_name(b); });
+    std::sort(paths.begin(), paths.end(), [](auto const& a, auto const& b) { return *step_in_name(a) < *step_in_name(b); });
     return paths;
 }
 

@@ -55,7 +55,8 @@ std::uint64_t checksum_of(std::string_view text)
 }
 
 /// The checksum of all from `begin` on, and where the file ends; nothing if it cannot be read.
-std::optional<std::pair<std::uint64_t, std::uintmax_t>> checksum_from(std::filesystem::path const& path, std::uintmax_t begin)
+std::optional<std::pair<std::uint64_t, std::uintmax_t>> checksum_from(std::filesystem::path const& path,
+                                                                      std::uintmax_t begin)
 {
     std::ifstream file(path, std::ios::binary);
     file.seekg(static_cast<std::streamoff>(begin));
@@ -73,11 +74,12 @@ std::optional<std::pair<std::uint64_t, std::uintmax_t>> checksum_from(std::files
 
 std::string header_text(CheckpointStamp const& stamp, std::uintmax_t room, std::uintmax_t bytes, std::uint64_t checksum)
 {
-    std::string const text = fmt::format("{}{}\nwritten by arenite {}\nroom {}\nbytes {}\nchecksum {:016x}\nstep {}\ntime {:016x} {}\n"
-                                         "stage_end {}\nscene {:016x}\nstage {} {}\n",
-                                         first_line, format, build_info().version, room, bytes, checksum, stamp.step,
-                                         std::bit_cast<std::uint64_t>(stamp.time), stamp.time, stamp.stage_end ? 1 : 0,
-                                         stamp.scene_hash, stamp.stage.size(), stamp.stage);
+    std::string const text =
+        fmt::format("{}{}\nwritten by arenite {}\nroom {}\nbytes {}\nchecksum {:016x}\nstep {}\ntime {:016x} {}\n"
+                    "stage_end {}\nscene {:016x}\nstage {} {}\n",
+                    first_line, format, build_info().version, room, bytes, checksum, stamp.step,
+                    std::bit_cast<std::uint64_t>(stamp.time), stamp.time, stamp.stage_end ? 1 : 0, stamp.scene_hash,
+                    stamp.stage.size(), stamp.stage);
     return text + fmt::format("header {:016x}\n", checksum_of(text));
 }
 
@@ -139,14 +141,17 @@ void require_our_format(std::string_view text, std::filesystem::path const& path
 {
     if (text.substr(0, 4) == "\x89HDF") refuse(path, "is not an Arenite checkpoint (an HDF5 file of another program)");
     if (text.substr(0, first_line.size()) != first_line)
-        refuse(path, text.empty() ? "is not an Arenite checkpoint (the file is empty)" : "is not an Arenite checkpoint (not an HDF5 file)");
+        refuse(path, text.empty() ? "is not an Arenite checkpoint (the file is empty)"
+                                  : "is not an Arenite checkpoint (not an HDF5 file)");
     Lines lines(text.substr(first_line.size() - 1));
     int const found = lines.number<int>("");
     lines.skip("\nwritten by ");
     std::size_t const begin = first_line.size() - 1 + lines.at(), end = text.find('\n', begin);
     if (lines.valid && found != format)
-        refuse(path, fmt::format("has checkpoint format {}, this program reads format {}: use the version of Arenite that wrote it ({})",
-                                 found, format, text.substr(begin, std::min<std::size_t>(end, begin + 80) - begin)));
+        refuse(path,
+               fmt::format(
+                   "has checkpoint format {}, this program reads format {}: use the version of Arenite that wrote it ({})",
+                   found, format, text.substr(begin, std::min<std::size_t>(end, begin + 80) - begin)));
 }
 
 } // namespace
@@ -163,7 +168,8 @@ void write_header(std::filesystem::path const& file, CheckpointStamp const& stam
 {
     std::size_t const room = header_room(stamp);
     auto const content = checksum_from(file, room);
-    if (!content) throw OutputError(fmt::format("{}: cannot read what was written: {}", name.string(), std::strerror(errno)));
+    if (!content)
+        throw OutputError(fmt::format("{}: cannot read what was written: {}", name.string(), std::strerror(errno)));
     std::string const text = header_text(stamp, room, content->second, content->first);
     ARENITE_REQUIRE(text.size() <= room, "the header does not fit");
     std::fstream out(file, std::ios::binary | std::ios::in | std::ios::out);
@@ -201,7 +207,8 @@ CheckpointHeader read_header(std::filesystem::path const& path)
     std::size_t const end = lines.at();
     auto const expected = lines.number<std::uint64_t>("header", 16);
     lines.skip("\n");
-    if (!lines.valid || checksum_of(std::string_view(text).substr(0, end)) != expected || header.room != header_room(header.stamp))
+    if (!lines.valid || checksum_of(std::string_view(text).substr(0, end)) != expected ||
+        header.room != header_room(header.stamp))
         refuse(path, fmt::format("the checkpoint is damaged (its header is){}", what_now));
     header.stamp.time = std::bit_cast<Real>(time);
     header.stamp.stage_end = stage_end != 0;
@@ -218,7 +225,8 @@ void check_content(std::filesystem::path const& path, CheckpointHeader const& he
 {
     auto const content = checksum_from(path, header.room);
     if (!content) refuse(path, fmt::format("cannot read the checkpoint: {}", std::strerror(errno)));
-    if (content->first != header.checksum) refuse(path, fmt::format("the checkpoint is damaged (its checksum is wrong){}", what_now));
+    if (content->first != header.checksum)
+        refuse(path, fmt::format("the checkpoint is damaged (its checksum is wrong){}", what_now));
 }
 
 } // namespace arenite

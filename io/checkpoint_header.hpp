@@ -11,8 +11,8 @@ namespace arenite {
 
 struct CheckpointHeader {
     CheckpointStamp stamp;
-    std::uintmax_t room = 0;     // bytes of the header: where the HDF5 part begins
-    std::uint64_t checksum = 0;  // of the HDF5 part
+    std::uintmax_t room = 0;    // bytes of the header: where the HDF5 part begins
+    std::uint64_t checksum = 0; // of the HDF5 part
 };
 
 /// Bytes to leave in front, as HDF5 wants them: a power of two.

@@ -17,10 +17,7 @@ struct CheckpointReader::File {
     CheckpointHeader header;
     Handle handle; // only once the content is known to be whole
 
-    [[noreturn]] void fail(std::string const& what) const
-    {
-        throw InputError(fmt::format("{}: {}", path.string(), what));
-    }
+    [[noreturn]] void fail(std::string const& what) const { throw InputError(fmt::format("{}: {}", path.string(), what)); }
 
     hid_t opened();
     Handle dataset(std::string const& name);
@@ -142,8 +139,8 @@ void CheckpointReader::require_extent(std::string const& name, std::size_t axis,
 {
     auto const extents = shape(name);
     if (extents[axis] != expected)
-        file_->fail(fmt::format("the array '{}' has shape [{}], expected {} along axis {}", name,
-                                fmt::join(extents, ", "), expected, axis));
+        file_->fail(fmt::format("the array '{}' has shape [{}], expected {} along axis {}", name, fmt::join(extents, ", "),
+                                expected, axis));
 }
 
 void CheckpointReader::require_one(std::string const& name, std::size_t found) const

@@ -99,8 +99,7 @@ CheckpointWriter::~CheckpointWriter()
     if (!file_->committed) std::filesystem::remove(temporary_name(file_->path), ignored);
 }
 
-void CheckpointWriter::write(std::string const& name, Element kind, std::vector<std::size_t> const& shape,
-                             void const* data)
+void CheckpointWriter::write(std::string const& name, Element kind, std::vector<std::size_t> const& shape, void const* data)
 {
     hdf5::Quiet const quiet;
     std::vector<hsize_t> const extents(shape.begin(), shape.end());

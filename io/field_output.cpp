@@ -31,8 +31,7 @@ public:
     template <class T> void add(char const* name, int components, std::vector<T> const& values)
     {
         bool const known = values.size() == items_ * components;
-        ARENITE_REQUIRE(known || values.empty(),
-                        fmt::format("{} values of {} for {} items", values.size(), name, items_));
+        ARENITE_REQUIRE(known || values.empty(), fmt::format("{} values of {} for {} items", values.size(), name, items_));
         if (known && is_chosen(chosen_, name)) arrays.push_back({name, components, values});
     }
 
@@ -55,9 +54,8 @@ std::vector<Real> speeds(std::vector<Real> const& velocity)
 
 std::vector<std::string> const& grain_fields()
 {
-    static std::vector<std::string> const names{"diameter", "velocity",    "spin",  "force",
-                                                "torque",   "fluid_force", "bonds", "coordination",
-                                                "class",    "material",    "id"};
+    static std::vector<std::string> const names{"diameter", "velocity",     "spin",  "force",    "torque", "fluid_force",
+                                                "bonds",    "coordination", "class", "material", "id"};
     return names;
 }
 

@@ -102,10 +102,7 @@ private:
         throw_if_faulty(); // without columns every line would be a fault
     }
 
-    bool has(std::string_view name) const
-    {
-        return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
-    }
+    bool has(std::string_view name) const { return std::find(columns_.begin(), columns_.end(), name) != columns_.end(); }
 
     void read_grain(std::string_view line)
     {
@@ -177,8 +174,7 @@ private:
 
     void value_fault(int index, std::string_view cell, std::string const& message)
     {
-        fault(index + 1,
-              fmt::format("{} = {}: {}", columns_[static_cast<std::size_t>(index)], cell.substr(0, 40), message));
+        fault(index + 1, fmt::format("{} = {}: {}", columns_[static_cast<std::size_t>(index)], cell.substr(0, 40), message));
     }
 
     /// column: of the table, counted from 1; 0: the whole line.

@@ -13,8 +13,7 @@ std::string cpu_model()
 {
     std::ifstream stream("/proc/cpuinfo");
     for (std::string line; std::getline(stream, line);)
-        if (line.starts_with("model name") && line.find(": ") != std::string::npos)
-            return line.substr(line.find(": ") + 2);
+        if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
     return "unknown";
 }
 

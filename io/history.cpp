@@ -31,16 +31,14 @@ void append_flow(std::vector<Cell>& cells, std::optional<FlowReport> const& flow
         return;
     }
     cells.emplace_back(flow->pressure_iterations);
-    for (Real const value :
-         {flow->pressure_residual, flow->continuity_error, flow->courant, flow->inflow, flow->outflow})
+    for (Real const value : {flow->pressure_residual, flow->continuity_error, flow->courant, flow->inflow, flow->outflow})
         cells.emplace_back(value);
 }
 
 } // namespace
 
 History::History(std::filesystem::path const& folder, HistoryColumns columns, std::optional<ResumePoint> const& resume)
-    : columns_(std::move(columns)),
-      table_(folder / "history.csv", history_header(columns_), rows_until(resume))
+    : columns_(std::move(columns)), table_(folder / "history.csv", history_header(columns_), rows_until(resume))
 {
 }
 

@@ -20,10 +20,7 @@ PvdSeries::PvdSeries(std::filesystem::path folder, std::string name, std::string
     for (Entry const& entry : dropped) delete_piece(entry); // only now that no list names them
 }
 
-std::string PvdSeries::piece_name(int index) const
-{
-    return fmt::format("{0}/{0}_{1:06}.{2}", name_, index, extension_);
-}
+std::string PvdSeries::piece_name(int index) const { return fmt::format("{0}/{0}_{1:06}.{2}", name_, index, extension_); }
 
 std::filesystem::path PvdSeries::next_piece() const { return folder_ / piece_name(next_); }
 
@@ -46,8 +43,8 @@ std::vector<PvdSeries::Entry> PvdSeries::listed_entries() const
     auto const path = folder_ / (name_ + ".pvd");
     if (!std::filesystem::exists(path)) return {};
     std::string const content = read_file(path);
-    std::regex const line("<DataSet timestep=\"([^\"]+)\" file=\"" + name_ + "/" + name_ + "_([0-9]{6,9})\\." +
-                          extension_ + "\"/>");
+    std::regex const line("<DataSet timestep=\"([^\"]+)\" file=\"" + name_ + "/" + name_ + "_([0-9]{6,9})\\." + extension_ +
+                          "\"/>");
     std::vector<Entry> entries;
     for (std::sregex_iterator match(content.begin(), content.end(), line), end; match != end; ++match) {
         std::string const time = (*match)[1].str();

@@ -69,8 +69,8 @@ SceneNode parse(std::string_view text, std::string const& path)
     try {
         return convert(toml::parse(text, path), path);
     } catch (toml::parse_error const& error) {
-        throw InputError(fmt::format("{}: not valid TOML: {}", location_of(error.source(), path).text,
-                                     std::string(error.description())));
+        throw InputError(
+            fmt::format("{}: not valid TOML: {}", location_of(error.source(), path).text, std::string(error.description())));
     }
 }
 
@@ -187,8 +187,7 @@ std::string spelling(SceneNode const& node)
     }
     constexpr std::size_t shown = 8;
     std::string text = "[";
-    for (std::size_t i = 0; i < std::min(shown, node.items.size()); ++i)
-        text += (i ? ", " : "") + spelling(node.items[i]);
+    for (std::size_t i = 0; i < std::min(shown, node.items.size()); ++i) text += (i ? ", " : "") + spelling(node.items[i]);
     return text + (node.items.size() > shown ? ", ...]" : "]");
 }
 

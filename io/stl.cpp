@@ -30,7 +30,8 @@ std::vector<Triangle> parse_binary(std::string const& bytes, std::string const& 
     std::uint64_t const count = little_endian_word(bytes, 80);
     std::uint64_t const held = (bytes.size() - header_size) / record_size;
     if (count > held) // also keeps a wrong count from asking for memory
-        throw InputError(fmt::format("{}: binary STL: {} triangles are announced, the file ends after {}", name, count, held));
+        throw InputError(
+            fmt::format("{}: binary STL: {} triangles are announced, the file ends after {}", name, count, held));
     std::vector<Triangle> triangles(count);
     for (std::size_t t = 0; t < count; ++t)
         for (int k = 0; k < 3; ++k)
@@ -135,8 +136,7 @@ std::vector<Triangle> parse_ascii(std::string const& bytes, std::string const& n
         } else if (!open && Words::same(word, "solid")) {
             words.skip_line();
             open = true;
-        } else
-            words.fail(fmt::format("'facet' or 'endsolid' expected, found '{}'", Words::shown(word)));
+        } else words.fail(fmt::format("'facet' or 'endsolid' expected, found '{}'", Words::shown(word)));
     }
     if (open) words.fail("the file ends before 'endsolid'");
     return triangles;

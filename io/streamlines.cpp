@@ -28,18 +28,15 @@ void add_disc(std::vector<Vec3>& seeds, StreamlineSettings const& settings, int 
     Real const golden_angle = std::numbers::pi_v<Real> * (3 - std::sqrt(Real(5)));
     for (int i = 0; i < count; ++i) {
         Real const radius = settings.disc_radius * std::sqrt((i + Real(0.5)) / count);
-        seeds.push_back(*settings.disc_center +
-                        radius * (std::cos(i * golden_angle) * u + std::sin(i * golden_angle) * v));
+        seeds.push_back(*settings.disc_center + radius * (std::cos(i * golden_angle) * u + std::sin(i * golden_angle) * v));
     }
 }
 
 TraceRequest request_of(FluidSnapshot const& fluid, StreamlineSettings const& settings, Real largest_speed)
 {
-    Vec3 const size{fluid.cells[0] * fluid.spacing.x, fluid.cells[1] * fluid.spacing.y,
-                    fluid.cells[2] * fluid.spacing.z};
+    Vec3 const size{fluid.cells[0] * fluid.spacing.x, fluid.cells[1] * fluid.spacing.y, fluid.cells[2] * fluid.spacing.z};
     TraceRequest request;
-    for (Vec3 const& seed : streamline_seeds(settings))
-        request.seeds.insert(request.seeds.end(), {seed.x, seed.y, seed.z});
+    for (Vec3 const& seed : streamline_seeds(settings)) request.seeds.insert(request.seeds.end(), {seed.x, seed.y, seed.z});
     request.max_length = settings.max_length > 0 ? settings.max_length : 4 * norm(size);
     request.terminal_speed = rest * largest_speed;
     return request;

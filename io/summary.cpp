@@ -48,13 +48,12 @@ Json walls_of(StageSummary const& stage)
 
 Json json_of(StageSummary const& stage)
 {
-    Json json{
-        {"name", stage.name},
-        {"ended_by", stage.ended_by},
-        {"wall_time", stage.wall_time},
-        {"simulated_time", stage.simulated_time},
-        {"steps", stage.steps},
-        {"particle_steps_per_second", stage.wall_time > 0 ? Json(stage.particle_steps / stage.wall_time) : Json()}};
+    Json json{{"name", stage.name},
+              {"ended_by", stage.ended_by},
+              {"wall_time", stage.wall_time},
+              {"simulated_time", stage.simulated_time},
+              {"steps", stage.steps},
+              {"particle_steps_per_second", stage.wall_time > 0 ? Json(stage.particle_steps / stage.wall_time) : Json()}};
     json["end_state"] = {{"grains", stage.grains},
                          {"contacts", stage.contacts},
                          {"bonds", stage.bonds},
@@ -78,7 +77,8 @@ std::string finished_stages(std::filesystem::path const& folder, std::vector<std
         Json const old = Json::parse(read_file(folder / "summary.json"));
         for (std::string const& name : names)
             for (Json const& stage : old.at("stages"))
-                if (stage.at("name") == name && stage.at("ended_by") != "stopped" && stage.at("ended_by") != "") kept.push_back(stage);
+                if (stage.at("name") == name && stage.at("ended_by") != "stopped" && stage.at("ended_by") != "")
+                    kept.push_back(stage);
     } catch (InputError const&) { // no summary yet
         return {};
     } catch (Json::exception const&) { // not one of ours

@@ -44,12 +44,12 @@ struct RunSummary {
     std::optional<std::int64_t> resumed_from_step;
     Real wall_time = 0; // s
     int ranks = 1;
-    std::string earlier_stages;   // of a resumed run: what finished_stages gave; "" none
+    std::string earlier_stages; // of a resumed run: what finished_stages gave; "" none
     std::vector<StageSummary> stages;
 };
 
-/// The entries of a folder's summary.json for those of the named stages that ran to their end, as JSON, to be kept by the run
-/// that goes on there. "" where there is no summary that can be read.
+/// The entries of a folder's summary.json for those of the named stages that ran to their end, as JSON, to be kept by the
+/// run that goes on there. "" where there is no summary that can be read.
 std::string finished_stages(std::filesystem::path const& folder, std::vector<std::string> const& names);
 
 /// The text of summary.json, build and hardware included.

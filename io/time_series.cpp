@@ -43,12 +43,13 @@ Real number_in(std::string const& line, std::size_t column, std::filesystem::pat
         if (auto const [stop, error] = std::from_chars(cell.data(), end, value); error == std::errc() && stop == end)
             return value;
     }
-    throw InputError(fmt::format("{}: cannot go on with this file: no number in column {} of the row '{}'",
-                                 path.string(), column + 1, line));
+    throw InputError(fmt::format("{}: cannot go on with this file: no number in column {} of the row '{}'", path.string(),
+                                 column + 1, line));
 }
 
 /// The part of an earlier run's file that a resumed run goes on from.
-std::string kept_rows(std::filesystem::path const& path, std::vector<std::string> const& columns, TimeSeries::Keep const& keep)
+std::string kept_rows(std::filesystem::path const& path, std::vector<std::string> const& columns,
+                      TimeSeries::Keep const& keep)
 {
     std::string const content = read_file(path), header = header_of(columns);
     if (content.compare(0, header.size(), header) != 0)

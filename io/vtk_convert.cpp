@@ -61,8 +61,7 @@ vtkSmartPointer<vtkCellArray> cells_of(PolyPiece const& piece)
     std::int64_t begin = 0;
     for (std::int64_t const end : piece.offsets) {
         cells->InsertNextCell(static_cast<vtkIdType>(end - begin));
-        for (std::int64_t i = begin; i < end; ++i)
-            cells->InsertCellPoint(static_cast<vtkIdType>(piece.connectivity[i]));
+        for (std::int64_t i = begin; i < end; ++i) cells->InsertCellPoint(static_cast<vtkIdType>(piece.connectivity[i]));
         begin = end;
     }
     return cells;

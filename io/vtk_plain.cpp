@@ -34,9 +34,8 @@ public:
 
     template <class T> void array(std::string const& name, int components, std::vector<T> const& values)
     {
-        text(fmt::format(
-            "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>",
-            type_name<T>, escaped(name), components, data_.size()));
+        text(fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>",
+                         type_name<T>, escaped(name), components, data_.size()));
         append(values);
     }
 

@@ -119,8 +119,7 @@ void add_ring(Surface& surface, int wall, Polygon const& polygon, Disc const& ho
     }
 }
 
-std::vector<Disc> open_holes(WallSettings const& settings, WallState const& state, WallPose const& pose,
-                             Vec3 const& axis)
+std::vector<Disc> open_holes(WallSettings const& settings, WallState const& state, WallPose const& pose, Vec3 const& axis)
 {
     std::vector<Disc> discs;
     for (std::size_t h = 0; h < state.hole_open.size(); ++h) {

@@ -60,8 +60,9 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
             for (int k = 0; k < 8; ++k) list.force(c + n, k) = 0;
     }
 
-    KOKKOS_FORCEINLINE_FUNCTION void evaluate(int c, int const* i, int const* j, Numbers const& offset, Lanes const& distance,
-                                  Lanes const& ri, Lanes const& rj, ContactState<Lanes>& state) const
+    KOKKOS_FORCEINLINE_FUNCTION void evaluate(int c, int const* i, int const* j, Numbers const& offset,
+                                              Lanes const& distance, Lanes const& ri, Lanes const& rj,
+                                              ContactState<Lanes>& state) const
     {
         ContactGeometry<Lanes> contact;
         // Concentric grains have no line of centres: they part along z.
@@ -83,7 +84,8 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         if constexpr (Law::adheres) contact.scale.cube_root_of_radius = load_lanes(&list.scale(c, 2));
 
         if constexpr (Law::has_history) {
-            Numbers const spring{load_lanes(&list.spring(c, 0)), load_lanes(&list.spring(c, 1)), load_lanes(&list.spring(c, 2))};
+            Numbers const spring{load_lanes(&list.spring(c, 0)), load_lanes(&list.spring(c, 1)),
+                                 load_lanes(&list.spring(c, 2))};
             state.previous_radius = load_lanes(&list.spring(c, 3));
             // The grains came here along straight lines: the last offset is known exactly.
             Numbers previous = normalized_near(offset - dt * approach, inverse);
@@ -99,7 +101,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
     }
 
     KOKKOS_FORCEINLINE_FUNCTION Numbers force_of(ContactGeometry<Lanes> const& contact, int const* i, int const* j,
-                                     ContactState<Lanes>& state) const
+                                                 ContactState<Lanes>& state) const
     {
         if (law.pairs.materials == 1) return law(contact, law.pairs(0), state, dt); // nothing to select
         Numbers force;
@@ -116,7 +118,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void store(int c, ContactGeometry<Lanes> const& contact, Numbers const& force,
-                               ContactState<Lanes> const& state, Lanes const& arm_i, Lanes const& arm_j) const
+                                           ContactState<Lanes> const& state, Lanes const& arm_i, Lanes const& arm_j) const
     {
         store_flags(state.touching, &list.touching(c));
         if constexpr (Law::adheres) store_flags(state.adhering, &list.adhering(c));
@@ -140,8 +142,8 @@ void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox c
         Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, blocks_of(contacts)), evaluation);
     };
     auto const make = [&]<BoxKind kind>() {
-        return ContactEvaluation<Law, kind>{law, contacts, particles.position, particles.velocity, particles.spin,
-                                            particles.material, box, dt, gate};
+        return ContactEvaluation<Law, kind>{
+            law, contacts, particles.position, particles.velocity, particles.spin, particles.material, box, dt, gate};
     };
     if (box.deforms()) launch(make.template operator()<BoxKind::deforming>());
     else if (contacts.periodic) launch(make.template operator()<BoxKind::periodic>());

@@ -16,8 +16,8 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords records_of(RecordView const& view, int c
     return load_records(view.data(), grains);
 }
 
-/// Asks for what a kernel over contacts reads of the second grains some blocks ahead: partners lie apart in memory, where the
-/// processor does not see them coming. second: of the first contact of a block.
+/// Asks for what a kernel over contacts reads of the second grains some blocks ahead: partners lie apart in memory, where
+/// the processor does not see them coming. second: of the first contact of a block.
 template <class... Records> KOKKOS_FORCEINLINE_FUNCTION void ask_for_later(int const* second, Records const&... of)
 {
     if constexpr (lane_count > 1)
@@ -37,8 +37,8 @@ KOKKOS_FORCEINLINE_FUNCTION Vector<Lanes> image_shifts(ContactList const& list, 
 /// Calls evaluate(constants, mask of the lanes that have them) for every pair of materials in the lanes: a law knows one
 /// pair at a time. i, j: rows of the lanes' grains.
 template <class Evaluate>
-KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, View1<std::uint8_t> const& material, int const* i,
-                                                        int const* j, Evaluate const& evaluate)
+KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, View1<std::uint8_t> const& material,
+                                                        int const* i, int const* j, Evaluate const& evaluate)
 {
     int index[lane_count];
     for (int n = 0; n < lane_count; ++n) index[n] = pairs.index(material(i[n]), material(j[n]));
@@ -47,7 +47,9 @@ KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, 
         for (int n = 0; n < lane_count; ++n) {
             bool done = false;
             for (int m = 0; m < n; ++m) done = done || index[m] == index[n];
-            if (!done) evaluate(pairs(index[n]), make_lanes([&](int m) { return static_cast<Real>(index[m] == index[n]); }) > Lanes(0));
+            if (!done)
+                evaluate(pairs(index[n]),
+                         make_lanes([&](int m) { return static_cast<Real>(index[m] == index[n]); }) > Lanes(0));
         }
 }
 

@@ -21,10 +21,10 @@ struct Bounds {
 /// Points that the search sees: the grains, then the images of those near a periodic face.
 struct SearchPoints {
     int count = 0;
-    RecordView position;        // [point](x, y, z, radius)
-    View1<GrainId> id;          // [point]
-    View1<int> row;             // [point] grain
-    View1<std::uint8_t> image;  // [point]
+    RecordView position;       // [point](x, y, z, radius)
+    View1<GrainId> id;         // [point]
+    View1<int> row;            // [point] grain
+    View1<std::uint8_t> image; // [point]
 };
 
 /// The cell of a position in units of cells; what lies outside counts to the cell at that end. Compared before the cast: no
@@ -256,14 +256,15 @@ LevelGrids make_grids(SearchPoints const& points, Bounds const& bounds, Real ski
         ++grids.levels;
     Vec3 const reach{bounds.largest * 2 + skin, bounds.largest * 2 + skin, bounds.largest * 2 + skin};
     for (int level = 0; level < grids.levels; ++level) {
-        grids.edge[level] = level == grids.levels - 1
-                                ? bounds.largest
-                                : bounds.largest / static_cast<Real>(1 << (grids.levels - 1 - level));
+        grids.edge[level] =
+            level == grids.levels - 1 ? bounds.largest : bounds.largest / static_cast<Real>(1 << (grids.levels - 1 - level));
         grids.lower[level] = bounds.lower - reach;
         Vec3 const extent = bounds.upper - bounds.lower + 2 * reach;
         Real cell = 2 * grids.edge[level] + skin;
         // A grain far away must not make a grid that does not fit: at most eight cells a point.
-        auto const total = [&](Real c) { return std::ceil(extent.x / c) * std::ceil(extent.y / c) * std::ceil(extent.z / c); };
+        auto const total = [&](Real c) {
+            return std::ceil(extent.x / c) * std::ceil(extent.y / c) * std::ceil(extent.z / c);
+        };
         while (total(cell) > Real(8) * points.count + 4096) cell *= Real(1.25);
         grids.cell[level] = cell;
         for (int axis = 0; axis < 3; ++axis) grids.cells[level][axis] = static_cast<int>(std::ceil(extent[axis] / cell));
@@ -315,7 +316,8 @@ struct PairFinder {
                         Real const other = points.position(point, 3);
                         if (other < radius || (other == radius && points.id(point) <= id(i))) continue;
                         Vec3 const d = x - vector_of(points.position, point);
-                        Real const square = dot(d, d), cutoff = radius + other + skin, near = radius + other + close_share * skin;
+                        Real const square = dot(d, d), cutoff = radius + other + skin,
+                                   near = radius + other + close_share * skin;
                         if (square < cutoff * cutoff) visit(point, square < near * near ? 1 : 0);
                     }
                 }
@@ -514,7 +516,8 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     set_scales(particles, contacts);
     make_incidence(particles, contacts);
     if (old.count > 0) carry_memory(old, old_id, order, particles, contacts);
-    Kokkos::deep_copy(contacts.reference_position, Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
+    Kokkos::deep_copy(contacts.reference_position,
+                      Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
 }
 
 void complete_list(Particles const& particles, ContactList& contacts)
@@ -524,7 +527,8 @@ void complete_list(Particles const& particles, ContactList& contacts)
     auto const rows = Kokkos::make_pair(0, contacts.count);
     auto const take = [&](auto const& from, auto const& to) {
         if (!to.is_allocated() || contacts.count == 0) return;
-        if constexpr (std::decay_t<decltype(to)>::rank == 1) Kokkos::deep_copy(Kokkos::subview(to, rows), Kokkos::subview(from, rows));
+        if constexpr (std::decay_t<decltype(to)>::rank == 1)
+            Kokkos::deep_copy(Kokkos::subview(to, rows), Kokkos::subview(from, rows));
         else Kokkos::deep_copy(Kokkos::subview(to, rows, Kokkos::ALL), Kokkos::subview(from, rows, Kokkos::ALL));
     };
     take(saved.second, contacts.second);
@@ -535,9 +539,8 @@ void complete_list(Particles const& particles, ContactList& contacts)
     take(saved.force, contacts.force);
     ContactList const list = contacts;
     Kokkos::parallel_for(
-        "complete_list", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
-            for_each_owned(list, i, [&](int c) { list.first(c) = i; });
-        });
+        "complete_list", RangePolicy(0, particles.count),
+        KOKKOS_LAMBDA(int i) { for_each_owned(list, i, [&](int c) { list.first(c) = i; }); });
     set_scales(particles, contacts);
     make_incidence(particles, contacts);
 }

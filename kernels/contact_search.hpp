@@ -11,9 +11,9 @@
 namespace arenite {
 
 struct SearchSettings {
-    Real skin = 0;        // m: pairs with a smaller gap are listed
+    Real skin = 0; // m: pairs with a smaller gap are listed
     ContactNeeds needs;
-    View1<int> keep;      // [grain] 0: the grain leaves the run (produced, lost); empty: all stay
+    View1<int> keep; // [grain] 0: the grain leaves the run (produced, lost); empty: all stay
 };
 
 /// Sorts the grains along a space-filling curve, wraps them into the periodic box, and rebuilds the list.

@@ -23,10 +23,10 @@ struct GrainReport {
 
 struct ContactReport {
     long long touching = 0, adhering = 0;
-    Real elastic = 0;       // J, normal: above the force-free state (Hertz overlap 0, JKR point B)
-    Real tangential = 0;    // J, 1/2 S_t xi^2
+    Real elastic = 0;               // J, normal: above the force-free state (Hertz overlap 0, JKR point B)
+    Real tangential = 0;            // J, 1/2 S_t xi^2
     Real highest_overlap_ratio = 0; // overlap / smaller radius
-    Real stiffness = 0;     // N/m, largest normal stiffness of a contact
+    Real stiffness = 0;             // N/m, largest normal stiffness of a contact
 
     Real energy() const { return elastic + tangential; }
 };
@@ -49,7 +49,8 @@ KOKKOS_FUNCTION inline Real jkr_work(Real y)
 
 KOKKOS_FUNCTION inline Real jkr_energy_unit(ContactScale<> const& scale, PairConstants const& pair)
 {
-    return std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius * pair.length_factor * scale.cube_root_of_radius;
+    return std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius * pair.length_factor *
+           scale.cube_root_of_radius;
 }
 
 /// J at the overlap, above the state without contact.

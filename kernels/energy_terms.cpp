@@ -23,7 +23,8 @@ struct GrainPowerTerms {
         Real const total = dot(vector_of(grains.force, i), v) + dot(vector_of(grains.torque, i), vector_of(grains.spin, i));
         Vec3 const path = v + stretch;
         return {{dot(weight, path), dot(applied, path), dot(drag, path), dot(pressure, path),
-                 grains.motion(i) == Motion::free ? Real(0) : -total, -dot(weight + applied + drag + pressure, stretch), total}};
+                 grains.motion(i) == Motion::free ? Real(0) : -total, -dot(weight + applied + drag + pressure, stretch),
+                 total}};
     }
 };
 
@@ -33,8 +34,9 @@ GrainPower measure_grain_power(Particles const& particles, Vec3 const& gravity, 
                                SumWorkspace& sums)
 {
     bool const fluid = particles.fluid_force.is_allocated() && particles.pressure_force.is_allocated();
-    Terms<7> const t = reproducible_sums<7>(sums, "measure_grain_power", particles.count,
-                                            GrainPowerTerms{particles, gravity, origin, box, particles.applied_force.is_allocated(), fluid});
+    Terms<7> const t = reproducible_sums<7>(
+        sums, "measure_grain_power", particles.count,
+        GrainPowerTerms{particles, gravity, origin, box, particles.applied_force.is_allocated(), fluid});
     return {t[0], t[1], t[2], t[3], t[4], t[5], t[6]};
 }
 

@@ -44,7 +44,8 @@ GrainPower measure_grain_power(Particles const& particles, Vec3 const& gravity, 
                                SumWorkspace& sums);
 
 /// Elastic and surface energy of a normal contact: they add up to the work of its force from the state without contact.
-KOKKOS_FUNCTION inline StoredEnergy stored_energy(Real overlap, bool adheres, ContactScale<> const& scale, PairConstants const& pair)
+KOKKOS_FUNCTION inline StoredEnergy stored_energy(Real overlap, bool adheres, ContactScale<> const& scale,
+                                                  PairConstants const& pair)
 {
     StoredEnergy energy;
     if (!adheres) {
@@ -79,7 +80,8 @@ KOKKOS_FORCEINLINE_FUNCTION SplitPower<N> split_contact_power(ContactMotion<N> c
 }
 
 /// Jump of the stored energy where a contact began (now) or ceased (before) to adhere.
-KOKKOS_FUNCTION inline Real adhesion_jump(bool before, bool now, Real overlap, ContactScale<> const& scale, PairConstants const& pair)
+KOKKOS_FUNCTION inline Real adhesion_jump(bool before, bool now, Real overlap, ContactScale<> const& scale,
+                                          PairConstants const& pair)
 {
     if (before == now) return 0;
     Real const jump = stored_energy(overlap, true, scale, pair).total() - stored_energy(overlap, false, scale, pair).total();
@@ -118,12 +120,14 @@ template <class Law> struct PairPower {
         contact.overlap = at_i.w + at_j.w - distance;
         contact.normal = select(touching, 1 / distance, Lanes(0)) * offset;
         contact.force = force.xyz;
-        Vector<Lanes> const approach = records_of(velocity, i).xyz - records_of(velocity, j).xyz, stretch = box.stretch_velocity(offset);
+        Vector<Lanes> const approach = records_of(velocity, i).xyz - records_of(velocity, j).xyz,
+                            stretch = box.stretch_velocity(offset);
         contact.velocity = approach + stretch;
         Lanes const turning = -dot(moment.xyz, force.w * records_of(spin, i).xyz + moment.w * records_of(spin, j).xyz);
         contact.total = dot(contact.force, contact.velocity) + turning;
 
-        ContactScale<Lanes> const scale{load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), load_lanes(&list.scale(c, 2))};
+        ContactScale<Lanes> const scale{load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)),
+                                        load_lanes(&list.scale(c, 2))};
         LaneMask adheres(false);
         if constexpr (Law::adheres) adheres = load_flags(&list.adhering(c));
         SplitPower<Lanes> const split = split_power(contact, scale, i, j, adheres);
@@ -135,8 +139,9 @@ template <class Law> struct PairPower {
         return terms;
     }
 
-    KOKKOS_FORCEINLINE_FUNCTION SplitPower<Lanes> split_power(ContactMotion<Lanes> const& contact, ContactScale<Lanes> const& scale,
-                                                              int const* i, int const* j, LaneMask const& adheres) const
+    KOKKOS_FORCEINLINE_FUNCTION SplitPower<Lanes> split_power(ContactMotion<Lanes> const& contact,
+                                                              ContactScale<Lanes> const& scale, int const* i, int const* j,
+                                                              LaneMask const& adheres) const
     {
         if (pairs.materials == 1) return split_contact_power<Law>(contact, scale, pairs(0), adheres); // nothing to select
         SplitPower<Lanes> split;
@@ -157,8 +162,8 @@ template <class Law> struct PairPower {
             if (adhered(n) == list.adhering(n)) continue;
             int const i = list.first(n), j = list.second(n);
             Real const overlap = position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, n));
-            sum += adhesion_jump(adhered(n), list.adhering(n), overlap, {list.scale(n, 0), list.scale(n, 1), list.scale(n, 2)},
-                                 pairs(material(i), material(j)));
+            sum += adhesion_jump(adhered(n), list.adhering(n), overlap,
+                                 {list.scale(n, 0), list.scale(n, 1), list.scale(n, 2)}, pairs(material(i), material(j)));
         }
         return sum;
     }
@@ -176,7 +181,8 @@ template <class Law> struct WallPower {
     KOKKOS_FUNCTION Terms<6> operator()(int c) const
     {
         Terms<6> terms{};
-        if (!list.touching(c)) return terms; // where a wall's contact snapped its row is empty: that jump stays in the residual
+        if (!list.touching(c))
+            return terms; // where a wall's contact snapped its row is empty: that jump stays in the residual
         int const i = list.grain(c);
         WallBody const& body = walls.body(walls.wall_of_element(list.element(c)));
         PairConstants const& pair = pairs(material(i), body.material);

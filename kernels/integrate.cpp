@@ -33,7 +33,8 @@ struct GrainStep {
 
         KOKKOS_FORCEINLINE_FUNCTION Rows(int block, int count)
         {
-            for (int n = 0; n < lane_count; ++n) row[n] = block * lane_count + n < count ? block * lane_count + n : count - 1;
+            for (int n = 0; n < lane_count; ++n)
+                row[n] = block * lane_count + n < count ? block * lane_count + n : count - 1;
         }
     };
 
@@ -80,8 +81,8 @@ struct GrainStep {
         Numbers result;
         for (int axis = 0; axis < 3; ++axis) {
             Lanes const damping = settings.local_damping * magnitude(force[axis]);
-            result[axis] = force[axis] - select(velocity[axis] > Lanes(0), damping,
-                                                select(velocity[axis] < Lanes(0), -damping, Lanes(0)));
+            result[axis] = force[axis] -
+                           select(velocity[axis] > Lanes(0), damping, select(velocity[axis] < Lanes(0), -damping, Lanes(0)));
         }
         return result;
     }
@@ -115,7 +116,8 @@ struct GrainStep {
         return make_lanes([&](int n) { return Real(grains.motion(rows.row[n]) != motion); }) > Lanes(0);
     }
 
-    KOKKOS_FORCEINLINE_FUNCTION void push(LaneMask const& driven, Load const& load, LaneRecords& velocity, LaneRecords& spin) const
+    KOKKOS_FORCEINLINE_FUNCTION void push(LaneMask const& driven, Load const& load, LaneRecords& velocity,
+                                          LaneRecords& spin) const
     {
         velocity.xyz = select(driven, velocity.xyz, velocity.xyz + (half_dt / velocity.w) * load.force);
         spin.xyz = select(driven, spin.xyz, spin.xyz + (half_dt / spin.w) * load.torque);
@@ -136,7 +138,8 @@ struct GrainStep {
         if (all(near || !moves)) return;
         LaneMask const somewhere = square < Lanes(1e300);
         if (any(moves && !near && somewhere)) close_gate();
-        if (any(moves && !somewhere)) Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite)); // NaN comes here
+        if (any(moves && !somewhere))
+            Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite)); // NaN comes here
     }
 
     KOKKOS_FUNCTION void close_gate() const
@@ -218,15 +221,12 @@ Integrator::Integrator() : health("health"), stale_step(uninitialized("stale_ste
 void kick(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
           ContactList const& contacts, WallForceRows const& walls)
 {
-    Kokkos::parallel_for("kick", blocks_of(particles),
-                         Kick{make_step(integrator, settings, particles, contacts, walls)});
+    Kokkos::parallel_for("kick", blocks_of(particles), Kick{make_step(integrator, settings, particles, contacts, walls)});
 }
 
-void drift(Integrator& integrator, StepSettings const& settings, Particles const& particles,
-           ContactList const& contacts)
+void drift(Integrator& integrator, StepSettings const& settings, Particles const& particles, ContactList const& contacts)
 {
-    Kokkos::parallel_for("drift", blocks_of(particles),
-                         Drift{make_step(integrator, settings, particles, contacts, {})});
+    Kokkos::parallel_for("drift", blocks_of(particles), Drift{make_step(integrator, settings, particles, contacts, {})});
     ++integrator.step;
 }
 

@@ -19,18 +19,18 @@ enum Health : unsigned {
 
 /// The wall forces as a grain gathers them; empty where no wall is near.
 struct WallForceRows {
-    View1<int> begin;               // [grain + 1]
-    View1<int> contact;             // [entry] rows of a grain's wall contacts, in the order of their elements
-    ForceRows force;                // [wall contact] as in ContactList, the grain being first
+    View1<int> begin;   // [grain + 1]
+    View1<int> contact; // [entry] rows of a grain's wall contacts, in the order of their elements
+    ForceRows force;    // [wall contact] as in ContactList, the grain being first
 };
 
 struct StepSettings {
-    Real dt = 0;              // s
-    Vec3 gravity;             // m/s2
-    Real local_damping = 0;   // fraction of the unbalanced force that opposes the motion (Cundall 1987); quasi-static only
-    Vec3 strain_rate;         // 1/s, of a deforming box about box_lower (PeriodicBox)
-    Vec3 box_lower;           // m
-    Real allowed_move = 0;    // m from the reference position before the list is stale
+    Real dt = 0;            // s
+    Vec3 gravity;           // m/s2
+    Real local_damping = 0; // fraction of the unbalanced force that opposes the motion (Cundall 1987); quasi-static only
+    Vec3 strain_rate;       // 1/s, of a deforming box about box_lower (PeriodicBox)
+    Vec3 box_lower;         // m
+    Real allowed_move = 0;  // m from the reference position before the list is stale
 };
 
 struct Integrator {

@@ -9,8 +9,7 @@
 
 #include <limits>
 
-namespace arenite
-{
+namespace arenite {
 
 /// What a kernel asks before it works. A default gate is open.
 struct StepGate {

@@ -17,8 +17,7 @@ template <class ViewType> std::vector<Real> flatten(ViewType const& view)
     for (std::size_t row = 0; row < host.extent(0); ++row)
         if constexpr (ViewType::rank == 2)
             for (std::size_t n = 0; n < host.extent(1); ++n) values.push_back(host(row, n));
-        else
-            values.push_back(static_cast<Real>(host(row)));
+        else values.push_back(static_cast<Real>(host(row)));
     return values;
 }
 
@@ -29,10 +28,8 @@ template <class ViewType> ViewType unflatten(std::vector<Real> const& values, ch
     ViewType view(std::string(label), values.size() / width);
     auto const host = Kokkos::create_mirror_view(view);
     for (std::size_t n = 0; n < values.size(); ++n)
-        if constexpr (ViewType::rank == 2)
-            host(n / width, n % width) = values[n];
-        else
-            host(n) = static_cast<Value>(values[n]);
+        if constexpr (ViewType::rank == 2) host(n / width, n % width) = values[n];
+        else host(n) = static_cast<Value>(values[n]);
     Kokkos::deep_copy(view, host);
     return view;
 }
@@ -47,9 +44,12 @@ std::map<std::string, std::vector<Real>> save_wall_contacts(WallContacts const& 
         poses.insert(poses.end(), std::begin(pose.rotation), std::end(pose.rotation));
     }
     return {{"reference_pose", poses},
-            {"id", flatten(contacts.id)},           {"element", flatten(contacts.element)},
-            {"touching", flatten(contacts.touching)}, {"adhering", flatten(contacts.adhering)},
-            {"normal", flatten(contacts.normal)},   {"spring", flatten(contacts.spring)},
+            {"id", flatten(contacts.id)},
+            {"element", flatten(contacts.element)},
+            {"touching", flatten(contacts.touching)},
+            {"adhering", flatten(contacts.adhering)},
+            {"normal", flatten(contacts.normal)},
+            {"spring", flatten(contacts.spring)},
             {"force", flatten(contacts.force)}};
 }
 

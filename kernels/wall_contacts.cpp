@@ -225,8 +225,7 @@ void search_wall_contacts(Particles const& particles, Walls const& walls, Real s
         fill_rows(find, particles.count, contacts);
         sort_rows(particles, walls, contacts);
         if (old.count > 0) carry_rows(old, walls, contacts);
-    } else
-        allocate_rows(contacts);
+    } else allocate_rows(contacts);
     find_blocks(walls, contacts);
 }
 
@@ -246,7 +245,8 @@ void complete_wall_contacts(Particles const& particles, Walls const& walls, Wall
         order[c] = c;
     }
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return std::pair(grain[a], element(a)) < std::pair(grain[b], element(b)); });
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return std::pair(grain[a], element(a)) < std::pair(grain[b], element(b)); });
     contacts.grain = to_device(grain, "wall_contact_grain");
     contacts.begin = to_device(begin, "wall_contact_begin");
     contacts.contact = to_device(order, "wall_contact_of_grain");

@@ -12,24 +12,24 @@ namespace arenite {
 
 /// What kernels take.
 struct WallContactRows {
-    int count = 0;                 // rows
+    int count = 0; // rows
     ContactNeeds needs;
-    Real skin = 0;                 // m: rows for gaps below it
+    Real skin = 0; // m: rows for gaps below it
 
-    View1<int> grain;              // [row] row of the grain
-    View1<GrainId> id;             // [row] its id
-    View1<int> element;            // [row] of the walls, numbered through all walls
-    View1<std::uint8_t> touching;  // [row] carried a force at the last evaluation
-    View1<std::uint8_t> adhering;  // [row] follows the JKR curve; empty without bonds
-    RecordView normal;             // [row](unit normal at the last evaluation, side of a thin sheet or 0)
-    RecordView spring;             // [row](xi x, y, z m, previous a m); empty without history
-    ForceRows force;               // [row](F on the grain N, arm m, n x F N, normal stiffness N/m); 0 where not touching
+    View1<int> grain;             // [row] row of the grain
+    View1<GrainId> id;            // [row] its id
+    View1<int> element;           // [row] of the walls, numbered through all walls
+    View1<std::uint8_t> touching; // [row] carried a force at the last evaluation
+    View1<std::uint8_t> adhering; // [row] follows the JKR curve; empty without bonds
+    RecordView normal;            // [row](unit normal at the last evaluation, side of a thin sheet or 0)
+    RecordView spring;            // [row](xi x, y, z m, previous a m); empty without history
+    ForceRows force;              // [row](F on the grain N, arm m, n x F N, normal stiffness N/m); 0 where not touching
 
-    View1<int> begin;              // [grain + 1] into contact
-    View1<int> contact;            // [entry] rows of a grain by element
-    View1<int> group;              // [group + 1] rows of one grain on one wall
+    View1<int> begin;   // [grain + 1] into contact
+    View1<int> contact; // [entry] rows of a grain by element
+    View1<int> group;   // [group + 1] rows of one grain on one wall
     int groups = 0;
-    View1<int> block, superblock;  // [block + 1] rows of 64 and of 4096 ids on one wall: the order of sums
+    View1<int> block, superblock; // [block + 1] rows of 64 and of 4096 ids on one wall: the order of sums
     int blocks = 0, superblocks = 0;
 };
 
@@ -48,10 +48,7 @@ void search_wall_contacts(Particles const& particles, Walls const& walls, Real s
 /// grain that is not there.
 void complete_wall_contacts(Particles const& particles, Walls const& walls, WallContacts& contacts);
 
-inline WallForceRows force_rows(WallContacts const& contacts)
-{
-    return {contacts.begin, contacts.contact, contacts.force};
-}
+inline WallForceRows force_rows(WallContacts const& contacts) { return {contacts.begin, contacts.contact, contacts.force}; }
 
 /// What the contacts remember, as flat named arrays (rows in the list's order; ids and flags exact as doubles), and back:
 /// restored contacts carry nothing but memory and the poses that the list was built for until complete_wall_contacts or

@@ -99,8 +99,8 @@ template <class Law> struct WallContactEvaluation {
         ContactGeometry<> contact;
         contact.normal = p.normal;
         contact.overlap = radius - p.distance;
-        contact.velocity = vector_of(velocity, i) - p.distance * cross(spin_i, p.normal) -
-                           body.pose.velocity_at(x - p.distance * p.normal);
+        contact.velocity =
+            vector_of(velocity, i) - p.distance * cross(spin_i, p.normal) - body.pose.velocity_at(x - p.distance * p.normal);
         contact.scale = {radius, velocity(i, 3), Law::adheres ? Kokkos::cbrt(radius) : Real(0)};
         ContactState<> state;
         if constexpr (Law::adheres) state.adhering = list.adhering(c);
@@ -141,8 +141,8 @@ template <class Law> struct WallContactEvaluation {
 };
 
 template <class Law>
-void evaluate_wall_contacts(Law const& law, Particles const& particles, Walls const& walls,
-                            WallContacts const& contacts, Real dt, StepGate const& gate = {})
+void evaluate_wall_contacts(Law const& law, Particles const& particles, Walls const& walls, WallContacts const& contacts,
+                            Real dt, StepGate const& gate = {})
 {
     if (contacts.groups == 0) return;
     Kokkos::parallel_for("evaluate_wall_contacts", RangePolicy(0, contacts.groups),

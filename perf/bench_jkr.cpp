@@ -26,7 +26,8 @@ std::vector<Real> overlaps()
 {
     std::vector<Real> values(4096);
     for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = arenite::jkr_points::overlap_S + 8 * static_cast<Real>(i * 2654435761u % 4096) / 4096; // S to well past B
+        values[i] =
+            arenite::jkr_points::overlap_S + 8 * static_cast<Real>(i * 2654435761u % 4096) / 4096; // S to well past B
     return values;
 }
 
@@ -42,7 +43,10 @@ void run(benchmark::State& state, Real (*root)(Real))
 }
 
 void closed_form(benchmark::State& state) { run(state, closed_form_root); }
-void rational_and_newton(benchmark::State& state) { run(state, [](Real d) { return arenite::jkr_root(d); }); }
+void rational_and_newton(benchmark::State& state)
+{
+    run(state, [](Real d) { return arenite::jkr_root(d); });
+}
 
 BENCHMARK(closed_form);
 BENCHMARK(rational_and_newton);

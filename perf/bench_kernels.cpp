@@ -6,8 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-namespace
-{
+namespace {
 
 using namespace arenite;
 
@@ -87,9 +86,8 @@ void drag_to_grains(benchmark::State& state)
 void multigrid(benchmark::State& state)
 {
     FlowSolver& solver = fluid_pack().fluid.solver;
-    repeat(state, fluid_pack().fluid.flow.grid.cell_count(), [&] {
-        multigrid_cycle(solver.levels, solver.pressure_system.residual, solver.pressure_system.preconditioned);
-    });
+    repeat(state, fluid_pack().fluid.flow.grid.cell_count(),
+           [&] { multigrid_cycle(solver.levels, solver.pressure_system.residual, solver.pressure_system.preconditioned); });
 }
 
 void fluid_step(benchmark::State& state)
@@ -103,8 +101,7 @@ void pressure_solve(benchmark::State& state)
 {
     FluidState& fluid = fluid_pack().fluid;
     TimeDerivative const time = time_derivative(fluid.solver, CoupledPack::fluid_dt);
-    repeat(state, fluid.flow.grid.cell_count(),
-           [&] { solve_pressure(fluid.flow, fluid.boundary, fluid.solver, time); });
+    repeat(state, fluid.flow.grid.cell_count(), [&] { solve_pressure(fluid.flow, fluid.boundary, fluid.solver, time); });
 }
 
 } // namespace

@@ -47,7 +47,9 @@ using Evaluation = ContactEvaluation<CementedSand, BoxKind::closed>;
 
 Evaluation evaluation_of(Pack const& pack, ContactList const& contacts)
 {
-    return {pack.law, contacts, pack.particles.position, pack.particles.velocity, pack.particles.spin, pack.particles.material, pack.box, 1e-8};
+    return {
+        pack.law, contacts, pack.particles.position, pack.particles.velocity, pack.particles.spin, pack.particles.material,
+        pack.box, 1e-8};
 }
 
 /// Adds a contact's row to a grain, as the gather does.

@@ -3,10 +3,8 @@
 
 #include "apps/bench_pack.hpp"
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 FluidSettings fluid_of(std::array<int, 3> const& cells)
 {

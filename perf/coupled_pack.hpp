@@ -8,8 +8,7 @@
 
 #include <array>
 
-namespace arenite
-{
+namespace arenite {
 
 struct CoupledPack {
     static constexpr Real grain_dt = 1e-8, fluid_dt = 1e-6; // s, the paper's

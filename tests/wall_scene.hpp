@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/wall_motion.hpp"
+#include "kernels/contact/contact_laws.hpp"
 #include "kernels/contact_forces.hpp"
 #include "kernels/contact_search.hpp"
-#include "kernels/contact/contact_laws.hpp"
 #include "kernels/wall_forces.hpp"
 #include "kernels/wall_reactions.hpp"
 
@@ -115,8 +115,7 @@ struct WallScene {
         if (first) kick_half();
         drift(integrator, settings, particles, contacts);
         move_walls(walls, settings.dt);
-        bool const stale = take_stale(integrator) >= 0 ||
-                           wall_displacement(walls, wall_contacts.reference_pose) > skin / 2;
+        bool const stale = take_stale(integrator) >= 0 || wall_displacement(walls, wall_contacts.reference_pose) > skin / 2;
         if (stale) search();
         evaluate();
         kick(integrator, settings, particles, contacts, force_rows(wall_contacts));
@@ -142,8 +141,7 @@ struct WallScene {
         Real sum = 0;
         for (Grain const& g : download(particles)) {
             Real const mass = density * 3.14159265358979 / 6 * g.diameter * g.diameter * g.diameter;
-            sum += mass / 2 * dot(g.velocity, g.velocity) +
-                   mass * g.diameter * g.diameter / 20 * dot(g.spin, g.spin);
+            sum += mass / 2 * dot(g.velocity, g.velocity) + mass * g.diameter * g.diameter / 20 * dot(g.spin, g.spin);
         }
         return sum;
     }

@@ -10,10 +10,8 @@
 
 #include <limits>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real sand_radius = 0.115e-3; // m
 
@@ -49,8 +47,7 @@ std::vector<VerifyCase> check_jkr_points()
     JkrPoints const points = jkr_points_of(pair, scale.effective_radius);
     auto const force = [&](Real overlap) { return jkr_response(overlap, scale, pair).force / points.pull_off_force; };
     Real const h = 1e-4 * points.length; // the third derivative leaves 1e-9
-    Real const stiffness =
-        (force(points.overlap_B + h) - force(points.overlap_B - h)) / (2 * h) * points.pull_off_force;
+    Real const stiffness = (force(points.overlap_B + h) - force(points.overlap_B - h)) / (2 * h) * points.pull_off_force;
     std::string const name = "JKR, two 0.23 mm grains", source = "Johnson, Kendall & Roberts 1971";
     constexpr Real rounding = 1e-12;
     // At S the slope is infinite: a rounding of the overlap there moves the force by its root.
@@ -62,8 +59,8 @@ std::vector<VerifyCase> check_jkr_points()
         compare({name, "F / F_C at A", source}, force(0), Real(-8) / 9, rounding),
         compare({name, "F / F_C at B", source}, force(points.overlap_B), 0, rounding),
         compare({name, "F / F_C at S", source}, force(points.overlap_S), Real(-5) / 9, at_S),
-        compare({name, "overlap at C [m]", source},
-                pair.length_factor * scale.cube_root_of_radius * jkr_points::overlap_C, -9.256171344e-8, 1e-9),
+        compare({name, "overlap at C [m]", source}, pair.length_factor * scale.cube_root_of_radius * jkr_points::overlap_C,
+                -9.256171344e-8, 1e-9),
         compare({name, "contact radius at C [m]", source}, jkr_response(points.overlap_C, scale, pair).contact_radius,
                 3.995859804e-6, 1e-9),
         compare({name, "stiffness at B [N/m]", source}, stiffness, 83644.37876, 1e-7),
@@ -106,8 +103,7 @@ std::vector<VerifyCase> check_work_of_peeling()
                     peel_work(pair, scale, 0) / unit, 22.516318693, 1e-8)};
 }
 
-namespace
-{
+namespace {
 
 struct Pull {
     Real peak = 0;            // N, largest tension
@@ -157,18 +153,15 @@ std::vector<VerifyCase> check_pull()
         compare({"modified JKR, pulled", "peak tension [N]", source}, bond.peak, 1.625774198e-2, 1e-6),
         compare({"modified JKR, pulled", "overlap at the break [m]", source}, bond.last_overlap, points.overlap_C,
                 2 * one_step),
-        expect_true({"modified JKR, broken", "no force, then Hertz when pressed", source},
-                    bond.silent && bond.stays_broken),
+        expect_true({"modified JKR, broken", "no force, then Hertz when pressed", source}, bond.silent && bond.stays_broken),
         compare({"full JKR, pulled", "peak tension [N]", source}, contact.peak, 1.625774198e-2, 1e-6),
-        compare({"full JKR, pulled", "overlap at the snap [m]", source}, contact.last_overlap, points.overlap_S,
-                one_step),
+        compare({"full JKR, pulled", "overlap at the snap [m]", source}, contact.last_overlap, points.overlap_S, one_step),
         expect_true({"full JKR, snapped", "no force, bonds again at a touch", source},
                     contact.silent && !contact.stays_broken),
     };
 }
 
-namespace
-{
+namespace {
 
 /// Relative speed after two equal grains met (full JKR) or opened from A (modified JKR); 0 if they hold.
 Real speed_after(NormalLaw law, Real speed, Real step_over_period, Real factor = 1)
@@ -254,8 +247,8 @@ std::vector<VerifyCase> check_coarse_speeds()
              {std::tuple{NormalLaw::jkr, 1.01 * stick_speed, "rebound speed at 1.01 V_s [m/s]"},
               {NormalLaw::jkr, 2 * stick_speed, "rebound speed at 2 V_s [m/s]"},
               {NormalLaw::modified_jkr, 1.2 * 0.5904034181, "speed of a bond opened at 1.2 V_hold [m/s]"}})
-            rows.push_back(compare({name, quantity, source}, speed_after(law, speed, 1e-3, k),
-                                   speed_after(law, speed, 1e-3), 1e-10));
+            rows.push_back(
+                compare({name, quantity, source}, speed_after(law, speed, 1e-3, k), speed_after(law, speed, 1e-3), 1e-10));
         rows.push_back(compare_error({name, "sticks: rebound speed at 0.99 V_s [m/s]", source},
                                      speed_after(NormalLaw::jkr, 0.99 * stick_speed, 1e-3, k), 0));
     }

@@ -5,10 +5,8 @@
 #include <numeric>
 #include <utility>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr std::size_t most_differences = 20;
 constexpr Real independent = 1e-6; // share of a residual that the newer ones must leave over: beyond is rounding

@@ -7,11 +7,9 @@
 #include <deque>
 #include <vector>
 
-namespace arenite
-{
+namespace arenite {
 
-class AndersonMixing
-{
+class AndersonMixing {
 public:
     /// The next point to evaluate the map at, from the last one and its image. A sum of images with weights of sum 1,
     /// so what is linear in all of them (a divergence, a boundary value) holds in it too.

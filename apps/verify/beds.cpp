@@ -4,10 +4,8 @@
 #include "core/coarse_graining.hpp"
 #include "core/random.hpp"
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 /// One diameter for each site, m.
 std::vector<Real> site_diameters(BedSettings const& settings, int sites)
@@ -20,8 +18,7 @@ std::vector<Real> site_diameters(BedSettings const& settings, int sites)
     std::vector<Real> diameters;
     for (SizeClass const& size : make_size_classes(sand, coarse, 0))
         diameters.insert(diameters.end(), size.count, size.diameter);
-    for (std::size_t i = diameters.size(); i > 1; --i)
-        std::swap(diameters[i - 1], diameters[random_bits(11, i, 0) % i]);
+    for (std::size_t i = diameters.size(); i > 1; --i) std::swap(diameters[i - 1], diameters[random_bits(11, i, 0) % i]);
     return diameters;
 }
 
@@ -46,14 +43,12 @@ void relax(std::vector<Grain>& grains, Vec3 const& box, Real factor)
     std::vector<Grain> const moved = grains_by_id(pack);
     for (std::size_t g = 0; g < grains.size(); ++g)
         for (int axis = 0; axis < 3; ++axis)
-            grains[g].position[axis] =
-                moved[g].position[axis] - box[axis] * std::floor(moved[g].position[axis] / box[axis]);
+            grains[g].position[axis] = moved[g].position[axis] - box[axis] * std::floor(moved[g].position[axis] / box[axis]);
 }
 
 void add_floor(std::vector<Grain>& grains, Real width_x, Real width_y, Real diameter)
 {
-    int const nx = static_cast<int>(std::ceil(width_x / diameter)),
-              ny = static_cast<int>(std::ceil(width_y / diameter));
+    int const nx = static_cast<int>(std::ceil(width_x / diameter)), ny = static_cast<int>(std::ceil(width_y / diameter));
     for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i) {
             Vec3 const place{(i + 0.5) * width_x / nx, (j + 0.5) * width_y / ny, -0.5 * diameter};

@@ -5,8 +5,7 @@
 
 #include "apps/verify/coupled_case.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 struct BedSettings {
     Real porosity = 0.41, superficial = 0; // -, m/s

@@ -6,10 +6,8 @@
 
 #include <optional>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr int longest = 200; // units of time: a flow that is not steady by then is not going to be
 
@@ -55,8 +53,7 @@ void interpolate_velocity(FluidCase const& coarse, FluidCase const& fine)
             Real const s[2] = {x.x / grid.spacing.x - (axis == 0 ? Real(0) : Real(0.5)),
                                x.y / grid.spacing.y - (axis == 1 ? Real(0) : Real(0.5))};
             int low[2];
-            for (int d = 0; d < 2; ++d)
-                low[d] = std::clamp(static_cast<int>(std::floor(s[d])), -Grid::halo, grid.cells[d]);
+            for (int d = 0; d < 2; ++d) low[d] = std::clamp(static_cast<int>(std::floor(s[d])), -Grid::halo, grid.cells[d]);
             Real const a = s[0] - low[0], b = s[1] - low[1];
             auto const row = [&](int j) {
                 return (1 - a) * value_of(from, low[0], j, 0) + a * value_of(from, low[0] + 1, j, 0);

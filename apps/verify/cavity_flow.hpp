@@ -9,8 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace arenite
-{
+namespace arenite {
 
 /// Along a centre line: the values at both walls and at the centres of the cells.
 struct Profile {

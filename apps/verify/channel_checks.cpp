@@ -7,10 +7,8 @@
 
 #include <fmt/format.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real height = 1e-3, push = 100, water = 998.2, viscosity = 1e-3; // m, Pa/m, kg/m3, Pa s
 
@@ -58,8 +56,8 @@ std::vector<VerifyCase> check_channel()
     for (Real const n : {1.0, 0.41}) {
         std::string const name = fmt::format("F3 Poiseuille, n {}", n), source = "closed form: does not depend on n";
         // The slope at a wall is a parabola's: exact here, but for the velocity solver's tolerance.
-        rows.push_back(compare_error({name + ", 16 cells", "largest error / u_max", source},
-                                     channel_errors(16, n, 0).largest, 1e-7));
+        rows.push_back(
+            compare_error({name + ", 16 cells", "largest error / u_max", source}, channel_errors(16, n, 0).largest, 1e-7));
     }
     FluidCase poiseuille = make_channel(16, 1, 0);
     poiseuille.steps(12, 1e4);
@@ -84,8 +82,8 @@ std::vector<VerifyCase> check_brinkman()
         rows.push_back(compare_error({name + ", 8 cells per 1/lambda", "rms error / u_max", source}, coarse.rms, 1e-3));
         rows.push_back(
             compare_error({name + ", 8 cells per 1/lambda", "largest error / u_max", source}, coarse.largest, 1e-3));
-        rows.push_back(at_least({name, "order of the rms error, 8 to 16 cells", source},
-                                observed_order(coarse.rms, fine.rms), 1.85));
+        rows.push_back(
+            at_least({name, "order of the rms error, 8 to 16 cells", source}, observed_order(coarse.rms, fine.rms), 1.85));
         rows.push_back(at_least({name, "order of the largest error, 8 to 16 cells", source},
                                 observed_order(coarse.largest, fine.largest), 1.85));
     }
@@ -97,13 +95,11 @@ std::vector<VerifyCase> check_brinkman()
     std::string const name = "F3 Brinkman, n 0.41, B 1e7, unresolved";
     rows.push_back(
         compare_error({name, "fall of u away from the wall / u_max", "closed form: monotone"}, fall / 4.1e-6, 1e-12));
-    rows.push_back(
-        compare({name, "u in the middle [m/s]", "closed form: n push/B"}, value_of(u, 0, 16, 0), 4.1e-6, 1e-3));
+    rows.push_back(compare({name, "u in the middle [m/s]", "closed form: n push/B"}, value_of(u, 0, 16, 0), 4.1e-6, 1e-3));
     return rows;
 }
 
-namespace
-{
+namespace {
 
 FluidSettings periodic_box(Real porosity)
 {
@@ -163,16 +159,14 @@ std::vector<VerifyCase> check_relaxation()
     return rows;
 }
 
-namespace
-{
+namespace {
 
 /// Superficial velocity U through a bed of drag B: -dp/dz = B U / n^2.
 FluidCase make_darcy_column(Real superficial, Real porosity, Real drag)
 {
     FluidSettings settings = box_settings({2, 3, 9}, {2e-3, 3e-3, 9e-3});
     add_periodic_axis(settings, 0);
-    for (Face const face : {Face::y_lower, Face::y_upper})
-        settings.patches.push_back(face_patch(face, PatchKind::slip));
+    for (Face const face : {Face::y_lower, Face::y_upper}) settings.patches.push_back(face_patch(face, PatchKind::slip));
     settings.patches.push_back(face_patch(Face::z_lower, PatchKind::velocity, {0, 0, superficial}));
     settings.patches.push_back(face_patch(Face::z_upper, PatchKind::pressure, {}, 101325));
     settings.porosity = porosity;

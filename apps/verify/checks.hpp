@@ -4,8 +4,7 @@
 
 #include "apps/verify/verify_case.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 // contact: constants and collinear motion
 std::vector<VerifyCase> check_pair_constants();

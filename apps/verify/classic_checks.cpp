@@ -11,8 +11,7 @@
 #include <array>
 #include <limits>
 
-namespace arenite
-{
+namespace arenite {
 
 std::vector<VerifyCase> check_bouncing()
 {
@@ -23,8 +22,7 @@ std::vector<VerifyCase> check_bouncing()
         MaterialSettings const material = with(make_material(2600, 7e10, 0.3), e, 0);
         MaterialSettings rigid = material;
         rigid.rigid = true;
-        PairConstants const pair =
-            make_pair(material, rigid, contact_settings(NormalLaw::hertz, DampingLaw::restitution));
+        PairConstants const pair = make_pair(material, rigid, contact_settings(NormalLaw::hertz, DampingLaw::restitution));
         Real speed = std::sqrt(2 * g * drop);
         for (int bounce = 1; bounce <= 4; ++bounce) {
             SphereOnPlane sphere = make_sphere_on_plane(pair, material, radius);
@@ -43,8 +41,7 @@ std::vector<VerifyCase> check_bouncing()
     return rows;
 }
 
-namespace
-{
+namespace {
 
 struct Squeezed {
     Real stiffness[3]; // 4/3 E* sqrt(R*) of lower wall-grain, grain-grain, grain-upper wall, N/m^(3/2)
@@ -85,8 +82,8 @@ Real squeezed_error(Real dt, int steps)
     SystemSettings settings;
     settings.materials = {make_material(20000, 1e7, 0.3), make_material(10000, 1e7, 0.3)};
     settings.contact = contact_settings(NormalLaw::hertz);
-    settings.grains = {make_grain(0, {0, 0, 0}, d), make_grain(1, {0, 0, 0.95e-3}, d),
-                       make_grain(2, {0, 0, 1.87e-3}, d), make_grain(3, {0, 0, top}, d)};
+    settings.grains = {make_grain(0, {0, 0, 0}, d), make_grain(1, {0, 0, 0.95e-3}, d), make_grain(2, {0, 0, 1.87e-3}, d),
+                       make_grain(3, {0, 0, top}, d)};
     settings.grains[2].material = 1;
     for (int held : {0, 3}) settings.grains[held].motion = Motion::held;
     settings.box.upper = {d, d, 3e-3};
@@ -129,20 +126,18 @@ std::vector<VerifyCase> check_partial_slip()
     ContactScale<> const scale = contact_scale(material, 0.115e-3, 0.115e-3);
     constexpr Real overlap = 1e-7, share = 0.9;
     NormalResponse<> const normal = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
-    Real const stiffness = 8 * pair.effective_shear_modulus * normal.contact_radius,
-               limit = pair.friction * normal.force;
+    Real const stiffness = 8 * pair.effective_shear_modulus * normal.contact_radius, limit = pair.friction * normal.force;
     DrySand const law;
     ContactState<> state;
     state.previous_radius = normal.contact_radius;
     Real const move = share * limit / stiffness;
     Vec3 const force = law({{0, 0, 1}, overlap, {move, 0, 0}, scale}, pair, state, 1);
     Real const partial = 3 * limit / (2 * stiffness) * (1 - std::pow(1 - share, Real(2) / 3));
-    return {
-        compare({"T2 sheared at constant F_n to 0.9 mu F_n", "tangential stiffness / 8 G* a", "Mindlin 1949: no slip"},
-                -force.x / move / stiffness, 1, 1e-12),
-        compare({"T2 sheared at constant F_n to 0.9 mu F_n", "displacement / that with partial slip",
-                 "Mindlin & Deresiewicz 1953: the model is stiffer"},
-                move / partial, share / (Real(1.5) * (1 - std::pow(1 - share, Real(2) / 3))), 1e-12)};
+    return {compare({"T2 sheared at constant F_n to 0.9 mu F_n", "tangential stiffness / 8 G* a", "Mindlin 1949: no slip"},
+                    -force.x / move / stiffness, 1, 1e-12),
+            compare({"T2 sheared at constant F_n to 0.9 mu F_n", "displacement / that with partial slip",
+                     "Mindlin & Deresiewicz 1953: the model is stiffer"},
+                    move / partial, share / (Real(1.5) * (1 - std::pow(1 - share, Real(2) / 3))), 1e-12)};
 }
 
 std::vector<VerifyCase> check_exact_touch()
@@ -157,8 +152,8 @@ std::vector<VerifyCase> check_exact_touch()
         ContactState<> state;
         state.adhering = adhering;
         ContactGeometry<> const contact{{0, 0, 1}, overlap, {}, contact_scale(sand(), radius, radius)};
-        Vec3 const force = chosen == NormalLaw::hertz ? DrySand{}(contact, pair, state, 1e-9)
-                                                      : CementedSand{}(contact, pair, state, 1e-9);
+        Vec3 const force =
+            chosen == NormalLaw::hertz ? DrySand{}(contact, pair, state, 1e-9) : CementedSand{}(contact, pair, state, 1e-9);
         return std::pair{force.z, static_cast<bool>(state.touching)};
     };
     MaterialSettings const material = sand();
@@ -168,8 +163,7 @@ std::vector<VerifyCase> check_exact_touch()
     auto const row = [&](std::string const& quantity, bool holds) {
         rows.push_back(expect_true({"H12 contact at an exact point", quantity, source}, holds));
     };
-    row("Hertz at overlap 0: does not touch, no force",
-        respond(NormalLaw::hertz, 0, false) == std::pair{Real(0), false});
+    row("Hertz at overlap 0: does not touch, no force", respond(NormalLaw::hertz, 0, false) == std::pair{Real(0), false});
     row("Hertz 1 ulp above 0: touches, finite force", std::isfinite(respond(NormalLaw::hertz, after(0), false).first) &&
                                                           respond(NormalLaw::hertz, after(0), false).second);
     // The points themselves are rounded: three ulp either side are surely beyond.

@@ -4,8 +4,7 @@
 
 #include "apps/verify/verify_case.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 std::vector<VerifyCase> check_coarse_grained_pair(); // G1
 std::vector<VerifyCase> check_coarse_speeds();       // G1

@@ -6,14 +6,12 @@
 
 #include <fmt/format.h>
 
-namespace arenite
-{
+namespace arenite {
 
 std::vector<VerifyCase> check_pair_constants()
 {
     MaterialSettings const material = with(sand(), 0.8, 0.2);
-    PairConstants const pair =
-        make_pair(material, material, contact_settings(NormalLaw::hertz, DampingLaw::restitution));
+    PairConstants const pair = make_pair(material, material, contact_settings(NormalLaw::hertz, DampingLaw::restitution));
     constexpr Real rounding = 1e-14; // a few operations
     constexpr Real printed = 1e-5;   // the references have five digits
     return {
@@ -27,8 +25,7 @@ std::vector<VerifyCase> check_pair_constants()
     };
 }
 
-namespace
-{
+namespace {
 
 /// Two equal spheres head-on through the grain kernels: largest force, largest overlap, duration.
 HertzImpact measure_impact(MaterialSettings const& material, Real radius, Real speed, Real dt, int most)
@@ -105,8 +102,7 @@ std::vector<VerifyCase> check_hertz_impacts()
     return rows;
 }
 
-namespace
-{
+namespace {
 
 Real rebound_speed(Real restitution, DampingLaw damping, int steps_per_contact)
 {
@@ -128,9 +124,8 @@ std::vector<VerifyCase> check_restitution()
     constexpr int steps = 20000; // the dashpot sees the velocity half a step early: first order in dt
     constexpr Real limit = 1e-4;
     for (Real const e : {0.2, 0.4, 0.6, 0.8, 0.9})
-        rows.push_back(
-            compare({fmt::format("e = {}", e), "rebound speed / speed", "Tsuji 1992 with the attractive tail: e"},
-                    rebound_speed(e, DampingLaw::restitution, steps), e, limit));
+        rows.push_back(compare({fmt::format("e = {}", e), "rebound speed / speed", "Tsuji 1992 with the attractive tail: e"},
+                               rebound_speed(e, DampingLaw::restitution, steps), e, limit));
     Real const clipped[][2] = {
         {0.2, 0.324862848}, {0.4, 0.47201398}, {0.6, 0.632290516}, {0.8, 0.808099335}, {0.9, 0.902026069}};
     for (auto const& [e, out] : clipped)

@@ -9,8 +9,7 @@
 
 #include <numbers>
 
-namespace arenite
-{
+namespace arenite {
 
 inline Real sphere_volume_of(Real diameter) { return std::numbers::pi_v<Real> / 6 * diameter * diameter * diameter; }
 

@@ -9,10 +9,8 @@
 
 #include <fmt/format.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 /// The steady bed, by steps far beyond the fluid's drag time.
 Bed flow_through(BedSettings const& settings)
@@ -38,11 +36,10 @@ std::vector<VerifyCase> check_fixed_bed()
         Real porosity, superficial, gradient;
     };
     std::vector<VerifyCase> rows;
-    for (Case const& c :
-         {Case{0.37, 1e-5, 222.98332}, Case{0.37, 1e-4, 2280.079768}, Case{0.37, 1e-3, 23300.7785},
-          Case{0.37, 1e-2, 225796.0446}, Case{0.41, 1e-5, 128.9001244}, Case{0.41, 1e-4, 1318.668271},
-          Case{0.41, 1e-3, 13560.85083}, Case{0.41, 1e-2, 135157.1882}, Case{0.45, 1e-5, 77.580814},
-          Case{0.45, 1e-4, 794.0028319}, Case{0.45, 1e-3, 8212.019907}, Case{0.45, 1e-2, 83959.78511}}) {
+    for (Case const& c : {Case{0.37, 1e-5, 222.98332}, Case{0.37, 1e-4, 2280.079768}, Case{0.37, 1e-3, 23300.7785},
+                          Case{0.37, 1e-2, 225796.0446}, Case{0.41, 1e-5, 128.9001244}, Case{0.41, 1e-4, 1318.668271},
+                          Case{0.41, 1e-3, 13560.85083}, Case{0.41, 1e-2, 135157.1882}, Case{0.45, 1e-5, 77.580814},
+                          Case{0.45, 1e-4, 794.0028319}, Case{0.45, 1e-3, 8212.019907}, Case{0.45, 1e-2, 83959.78511}}) {
         Bed const bed = flow_through(sand_bed(c.porosity, c.superficial));
         rows.push_back(compare({fmt::format("C4 lattice of 0.23 mm, n {}, U {:g} m/s", c.porosity, c.superficial),
                                 "-dp/dz [Pa/m]", "Di Felice 1994 at the bed's n"},
@@ -60,8 +57,7 @@ std::vector<VerifyCase> check_fixed_bed()
     return rows;
 }
 
-namespace
-{
+namespace {
 
 /// CFDEM's ErgunTestMPI.
 BedSettings ergun_bed(Real superficial)
@@ -108,8 +104,7 @@ std::vector<VerifyCase> check_ergun_bed()
     return rows;
 }
 
-namespace
-{
+namespace {
 
 /// Superficial velocity [m/s] at 1250.6 Pa/m through a periodic random pack of the paper's sand at n 0.41.
 Real paper_velocity(Real factor)
@@ -145,9 +140,9 @@ std::vector<VerifyCase> check_coarse_bed()
     for (Real const k : {2.0, 3.0}) {
         BedSettings coarse = sand_bed(0.41, 1e-3);
         coarse.factor = k;
-        rows.push_back(compare(
-            {fmt::format("G4 lattice of one size, k = {}", k), "-dp/dz at 1e-3 m/s [Pa/m]", "the same at k = 1"},
-            pressure_gradient(flow_through(coarse)), original, 1e-2));
+        rows.push_back(
+            compare({fmt::format("G4 lattice of one size, k = {}", k), "-dp/dz at 1e-3 m/s [Pa/m]", "the same at k = 1"},
+                    pressure_gradient(flow_through(coarse)), original, 1e-2));
     }
     return rows;
 }
@@ -180,14 +175,12 @@ std::vector<VerifyCase> check_fluidisation()
     std::string const quantity = "U_mf, where the fluid carries the grains [m/s]";
     rows.push_back(compare({"C5 lattice of 0.23 mm, n 0.41", quantity, "Di Felice 1994"},
                            fluidisation_velocity(sand_bed(0.41, 0), 6.9e-4), 6.875026e-4, 3e-2));
-    rows.push_back(
-        compare({"C5 lattice with the paper's sizes, n 0.41", quantity, "Di Felice 1994 over the sieve curve"},
-                fluidisation_velocity(sizes, 7.2e-4), 7.248e-4, 3e-2));
+    rows.push_back(compare({"C5 lattice with the paper's sizes, n 0.41", quantity, "Di Felice 1994 over the sieve curve"},
+                           fluidisation_velocity(sizes, 7.2e-4), 7.248e-4, 3e-2));
     return rows;
 }
 
-namespace
-{
+namespace {
 
 CoupledCase make_random_suspension(ConvectionScheme convection)
 {
@@ -246,8 +239,7 @@ std::vector<VerifyCase> check_momentum_balance()
 {
     std::string const name = "C3 800 grains fly through water, 4 steps",
                       quantity = "momentum of fluid + grains + walls, relative", source = "Newton's third law";
-    Residual const still = momentum_residual(ConvectionScheme::none),
-                   carried = momentum_residual(ConvectionScheme::limited);
+    Residual const still = momentum_residual(ConvectionScheme::none), carried = momentum_residual(ConvectionScheme::limited);
     return {compare_error({name, quantity, source}, still.all, 1e-12),
             compare_error({name + ", with convection", quantity + ", periodic axis", source}, carried.periodic, 1e-12),
             // The half cells at walls carry no convection of their own: n u^2 there against the weight of the water.

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <functional>
 
-namespace arenite
-{
+namespace arenite {
 
 struct FluidCase {
     Flow flow;
@@ -93,8 +92,7 @@ struct FieldErrors {
     Real rms = 0, largest = 0, mean = 0; // of field - f; mean keeps the sign
 };
 
-inline FieldErrors errors_of(Grid const& grid, FieldView const& field, int face_axis,
-                             std::function<Real(Vec3)> const& f)
+inline FieldErrors errors_of(Grid const& grid, FieldView const& field, int face_axis, std::function<Real(Vec3)> const& f)
 {
     HostField const host = host_copy(field);
     FieldErrors errors;

@@ -9,10 +9,8 @@
 
 #include <numbers>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real pi = std::numbers::pi_v<Real>;
 
@@ -26,8 +24,7 @@ FrictionCycle run_friction_cycle(PairConstants const& pair, ContactScale<> const
 {
     constexpr int per_yield = 100; // steps from rest to sliding, so that every corner falls on a step
     NormalResponse<> const normal = hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus);
-    Real const limit = pair.friction * normal.force,
-               stiffness = 8 * pair.effective_shear_modulus * normal.contact_radius;
+    Real const limit = pair.friction * normal.force, stiffness = 8 * pair.effective_shear_modulus * normal.contact_radius;
     Real const move = limit / stiffness / per_yield;
     DrySand const law;
     ContactState<> state;
@@ -40,14 +37,12 @@ FrictionCycle run_friction_cycle(PairConstants const& pair, ContactScale<> const
             work -= Real(0.5) * (force + all.x) * direction * move;
             force = all.x;
             if (direction > 0 && n < per_yield && steps == amplitude * per_yield)
-                cycle.force_error =
-                    std::fmax(cycle.force_error, std::fabs(-force - stiffness * (n + 1) * move) / limit);
+                cycle.force_error = std::fmax(cycle.force_error, std::fabs(-force - stiffness * (n + 1) * move) / limit);
         }
         return work;
     };
     drive(amplitude * per_yield, 1);
-    for (int n = 0; n < 3; ++n)
-        cycle.loop_area = drive(2 * amplitude * per_yield, -1) + drive(2 * amplitude * per_yield, 1);
+    for (int n = 0; n < 3; ++n) cycle.loop_area = drive(2 * amplitude * per_yield, -1) + drive(2 * amplitude * per_yield, 1);
     cycle.force_error = std::fmax(cycle.force_error, std::fabs(-force - limit) / limit);
     return cycle;
 }
@@ -72,15 +67,14 @@ std::vector<VerifyCase> check_friction_cycle()
                     4 * limit * (amplitude - 1) * yield, 1e-12)};
 }
 
-namespace
-{
+namespace {
 
 /// A contact that sticks, pressed and sheared at will; work is what the tangential force took.
 struct ShearedContact {
     PairConstants pair;
     ContactScale<> scale = contact_scale(sand(), 0.115e-3, 0.115e-3);
     ContactState<> state;
-    Vec3 place; // m, tangential displacement
+    Vec3 place;    // m, tangential displacement
     Real work = 0; // J
 
     explicit ShearedContact(TangentialLaw law)
@@ -145,17 +139,20 @@ std::vector<VerifyCase> check_shear_paths()
     constexpr Real light = 1e-8, heavy = 4e-8; // contact radii 1 : 2
     std::string const source = "closed form: k xi^2 of linear springs", name = "sheared and pressed, sticking";
     return {
-        compare({name, "dissipative: work of shear, press, back", source}, cycle_work(TangentialLaw::dissipative, light, heavy), 0.25, 1e-10),
-        compare({name, "dissipative: work of shear, release, back", source}, cycle_work(TangentialLaw::dissipative, heavy, light), 0.25, 1e-10),
+        compare({name, "dissipative: work of shear, press, back", source},
+                cycle_work(TangentialLaw::dissipative, light, heavy), 0.25, 1e-10),
+        compare({name, "dissipative: work of shear, release, back", source},
+                cycle_work(TangentialLaw::dissipative, heavy, light), 0.25, 1e-10),
         compare_error({name, "dissipative: energy made on 1000 closed paths", "second law: none"},
                       -least_closed_work(TangentialLaw::dissipative, 1000), 1e-12),
-        compare({name, "secant: work of shear, press, back", source}, cycle_work(TangentialLaw::secant, light, heavy), -0.25, 1e-10),
-        compare({name, "incremental: work of shear, release, back", source}, cycle_work(TangentialLaw::incremental, heavy, light), -0.25, 1e-10),
+        compare({name, "secant: work of shear, press, back", source}, cycle_work(TangentialLaw::secant, light, heavy), -0.25,
+                1e-10),
+        compare({name, "incremental: work of shear, release, back", source},
+                cycle_work(TangentialLaw::incremental, heavy, light), -0.25, 1e-10),
     };
 }
 
-namespace
-{
+namespace {
 
 Vec3 turned(Vec3 const& v, Vec3 const& axis, Real angle)
 {
@@ -191,8 +188,7 @@ TurnDrift turn_loaded_pair(Vec3 const& axis, Vec3 const& loading_spin)
     for (int n = 1; n <= turns * steps_per_turn; ++n) {
         Vec3 const before = turned(start, axis, 2 * pi * (n - 1) / steps_per_turn);
         Vec3 const here = turned(start, axis, 2 * pi * n / steps_per_turn), velocity = (here - before) / settings.dt;
-        for (GrainId id : {0, 1})
-            place(system, id, id == 0 ? here : -here, id == 0 ? velocity : -velocity, rate * axis);
+        for (GrainId id : {0, 1}) place(system, id, id == 0 ? here : -here, id == 0 ? velocity : -velocity, rate * axis);
         evaluate(system);
     }
     Vec3 const after = shear();
@@ -217,8 +213,7 @@ std::vector<VerifyCase> check_rigid_turns()
             compare_error({"pair turned 10 times, axis askew", direction, source}, skew.direction, 1e-5)};
 }
 
-namespace
-{
+namespace {
 
 /// A 1 mm sphere, soft and strongly damped, resting on a tilted plane.
 SphereOnPlane resting_sphere(Real slope, Real friction)
@@ -251,8 +246,7 @@ std::vector<VerifyCase> check_incline()
         Vec3 const speed = sphere.velocity, spin = sphere.spin;
         for (int n = 0; n < half; ++n) step(sphere, dt);
         bool const rolls = std::tan(slope) <= 3.5 * mu;
-        Real const acceleration =
-            rolls ? Real(5) / 7 * g * std::sin(slope) : g * (std::sin(slope) - mu * std::cos(slope));
+        Real const acceleration = rolls ? Real(5) / 7 * g * std::sin(slope) : g * (std::sin(slope) - mu * std::cos(slope));
         Real const turning = rolls ? acceleration / sphere.radius : 5 * mu * g * std::cos(slope) / (2 * sphere.radius);
         std::string const name = fmt::format("sphere {} down {} degrees", rolls ? "rolls" : "slides", degrees);
         rows.push_back(compare({name, "acceleration [m/s2]", "closed form: rigid sphere, Coulomb"},
@@ -276,11 +270,11 @@ std::vector<VerifyCase> check_sliding_to_rolling()
     int const slipped = steps;
     for (int n = 0; n < 20000; ++n) step(sphere, dt); // the spring's swing dies away
     std::string const source = "MFIX DEM04 (Garg et al. 2012): 2/7, 5/7";
-    return {compare({"sliding sphere comes to roll", "mu g t / u0", source}, mu * g * slipped * dt / start, Real(2) / 7,
-                    1e-3),
-            compare({"sliding sphere comes to roll", "u / u0", source}, sphere.velocity.x / start, Real(5) / 7, 1e-5),
-            compare({"sliding sphere comes to roll", "R omega / u0", source}, sphere.radius * sphere.spin.y / start,
-                    Real(5) / 7, 1e-5)};
+    return {
+        compare({"sliding sphere comes to roll", "mu g t / u0", source}, mu * g * slipped * dt / start, Real(2) / 7, 1e-3),
+        compare({"sliding sphere comes to roll", "u / u0", source}, sphere.velocity.x / start, Real(5) / 7, 1e-5),
+        compare({"sliding sphere comes to roll", "R omega / u0", source}, sphere.radius * sphere.spin.y / start, Real(5) / 7,
+                1e-5)};
 }
 
 std::vector<VerifyCase> check_gear_spin()
@@ -297,12 +291,11 @@ std::vector<VerifyCase> check_gear_spin()
     advance(system, 2000); // the contact lasts 1.1e-3 s
     std::vector<Grain> const grains = grains_by_id(system);
     std::string const source = "Chung & Ooi 2011 test 7: no slip";
-    return {
-        compare_error({"equal spheres turning as gears", "tangential speed [m/s]", source},
-                      std::fabs(grains[0].velocity.y), 1e-12),
-        compare({"equal spheres turning as gears", "omega_out / omega_in", source}, grains[0].spin.z / spin, 1, 1e-12),
-        compare({"equal spheres turning as gears", "rebound speed / speed", "Tsuji 1992: e"},
-                -grains[0].velocity.x / 0.1, 0.5, 5e-3)};
+    return {compare_error({"equal spheres turning as gears", "tangential speed [m/s]", source},
+                          std::fabs(grains[0].velocity.y), 1e-12),
+            compare({"equal spheres turning as gears", "omega_out / omega_in", source}, grains[0].spin.z / spin, 1, 1e-12),
+            compare({"equal spheres turning as gears", "rebound speed / speed", "Tsuji 1992: e"},
+                    -grains[0].velocity.x / 0.1, 0.5, 5e-3)};
 }
 
 } // namespace arenite

@@ -9,10 +9,8 @@
 #include <cstring>
 #include <tuple>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 std::vector<PairConstants> all_pairs(SystemSettings const& settings)
 {
@@ -188,14 +186,12 @@ Real hertz_energy(GrainSystem const& system)
         Real const overlap = (a.diameter + b.diameter) / 2 - norm(offset);
         if (overlap <= 0) continue;
         Real const radius = a.diameter * b.diameter / (2 * (a.diameter + b.diameter));
-        energy +=
-            Real(8) / 15 * system.pairs[0].effective_youngs_modulus * std::sqrt(radius) * std::pow(overlap, Real(2.5));
+        energy += Real(8) / 15 * system.pairs[0].effective_youngs_modulus * std::sqrt(radius) * std::pow(overlap, Real(2.5));
     }
     return energy;
 }
 
-namespace
-{
+namespace {
 
 void mix_in(std::uint64_t& hash, void const* data, std::size_t bytes) // FNV-1a
 {

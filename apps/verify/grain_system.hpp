@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace arenite
-{
+namespace arenite {
 
 struct SystemSettings {
     std::vector<Grain> grains;
@@ -25,8 +24,7 @@ struct SystemSettings {
     int rebuild_interval = 0;  // steps; 0: only when the list is stale
 };
 
-inline Grain make_grain(GrainId id, Vec3 const& position, Real diameter, Vec3 const& velocity = {},
-                        Vec3 const& spin = {})
+inline Grain make_grain(GrainId id, Vec3 const& position, Real diameter, Vec3 const& velocity = {}, Vec3 const& spin = {})
 {
     Grain grain;
     grain.id = id;

@@ -7,8 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace arenite
-{
+namespace arenite {
 
 std::vector<VerifyCase> check_free_fall()
 {
@@ -33,8 +32,7 @@ std::vector<VerifyCase> check_free_fall()
                           norm(grain.velocity - Vec3{0.3 + push * t, -0.2, 0.1 - 9.81 * t}), rounding)};
 }
 
-namespace
-{
+namespace {
 
 /// Two unlike spinning grains meet off centre, with friction and damping.
 GrainSystem make_collision(std::uint64_t draw)
@@ -75,8 +73,7 @@ std::vector<VerifyCase> check_pair_conservation()
             compare_error({name, "change of angular momentum", source}, angular, 1e-12)};
 }
 
-namespace
-{
+namespace {
 
 SystemSettings smooth_gas(bool periodic)
 {
@@ -127,8 +124,7 @@ std::vector<VerifyCase> check_many_bodies()
 {
     SystemSettings settings = smooth_gas(false);
     settings.dt = 2e-8;
-    for (Grain& grain : settings.grains)
-        grain.velocity -= 1500 * (grain.position - 0.5 * settings.box.size()); // implodes
+    for (Grain& grain : settings.grains) grain.velocity -= 1500 * (grain.position - 0.5 * settings.box.size()); // implodes
     GrainSystem system = make_system(settings);
     Totals const before = totals(system);
     advance(system, 1500);
@@ -141,15 +137,14 @@ std::vector<VerifyCase> check_many_bodies()
             compare_error({name + ", no walls", "change of angular momentum", "Newton's third law"},
                           norm(after.angular_momentum - before.angular_momentum) / before.angular_scale, 1e-12),
             // Within a contact the energy swings by (omega dt)^2 / 4 = 2.5e-3 of what it stores, and comes back.
-            compare_error({name + ", periodic", "energy swing at dt_c/20", "velocity Verlet: (omega dt)^2"},
-                          coarse.largest, 5e-3),
+            compare_error({name + ", periodic", "energy swing at dt_c/20", "velocity Verlet: (omega dt)^2"}, coarse.largest,
+                          5e-3),
             compare({name + ", periodic", "order of the energy swing", "velocity Verlet: 2"},
                     std::log2(coarse.largest / fine.largest) / 2, 2, 0.15),
             compare_error({name + ", periodic", "energy trend at dt_c/80", "symplectic: none"}, fine.trend, 1e-4)};
 }
 
-namespace
-{
+namespace {
 
 struct CriticalLattice {
     std::string name;
@@ -162,8 +157,7 @@ struct CriticalLattice {
 Real growth(CriticalLattice const& critical, Real multiple, int steps)
 {
     Lattice const& lattice = critical.lattice;
-    SystemSettings settings =
-        make_lattice(lattice, lattice.diameter() - overlap_under(critical.contact_force, lattice));
+    SystemSettings settings = make_lattice(lattice, lattice.diameter() - overlap_under(critical.contact_force, lattice));
     for (Grain& grain : settings.grains)
         for (int axis = 0; axis < 3; ++axis) { // noise
             grain.velocity[axis] = 1e-9 * (random_uniform(3, grain.id, axis) - 0.5);
@@ -189,10 +183,10 @@ std::vector<VerifyCase> check_critical_step()
                                            {"D13 FCC, Hertz", face_centred, 0.018703, 1.47984e-7},
                                            {"D13 FCC, JKR", adhering_face_centred, 0.018703, 1.12116e-7}}) {
         // Below the limit a mode's energy swings by up to 1/(1 - 0.98^2) = 25; above, it grows 1.9 times a step.
-        rows.push_back(expect_true({lattice.name + ", 0.98 dt_c, 2000 steps", "stable", source},
-                                   growth(lattice, 0.98, 2000) < 100));
-        rows.push_back(expect_true({lattice.name + ", 1.02 dt_c, 100 steps", "diverges", source},
-                                   growth(lattice, 1.02, 100) > 1e6));
+        rows.push_back(
+            expect_true({lattice.name + ", 0.98 dt_c, 2000 steps", "stable", source}, growth(lattice, 0.98, 2000) < 100));
+        rows.push_back(
+            expect_true({lattice.name + ", 1.02 dt_c, 100 steps", "diverges", source}, growth(lattice, 1.02, 100) > 1e6));
     }
     return rows;
 }

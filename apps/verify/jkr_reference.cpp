@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-namespace arenite
-{
+namespace arenite {
 
 long double reference_root(long double scaled_overlap)
 {

@@ -4,8 +4,7 @@
 
 #include "apps/verify/materials.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 /// y = sqrt(s) of the stable branch for overlap / L = y^4 - 2 y >= that of S, by bisection.
 long double reference_root(long double scaled_overlap);

@@ -4,10 +4,8 @@
 #include "kernels/contact/hertz.hpp"
 #include "kernels/contact/jkr.hpp"
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 MaterialSettings lattice_sand(Lattice const& lattice)
 {
@@ -32,8 +30,7 @@ SystemSettings make_lattice(Lattice const& lattice, Real spacing, Real stretch_z
             Vec3 place{Real(cell % cells), Real(cell / cells % cells), Real(cell / (cells * cells))};
             place = edge * (place + site + Vec3{0.25, 0.25, 0.25});
             place.z *= stretch_z;
-            settings.grains.push_back(
-                make_grain(static_cast<GrainId>(settings.grains.size()), place, lattice.diameter()));
+            settings.grains.push_back(make_grain(static_cast<GrainId>(settings.grains.size()), place, lattice.diameter()));
         }
     settings.box.upper = {cells * edge, cells * edge, cells * edge * stretch_z};
     for (bool& axis : settings.box.periodic) axis = true;

@@ -4,8 +4,7 @@
 
 #include "apps/verify/grain_system.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 struct Lattice {
     bool face_centred = false;

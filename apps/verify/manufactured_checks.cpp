@@ -10,10 +10,8 @@
 
 #include <map>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 using Wide = long double;
 constexpr Wide pi = 3.14159265358979323846264338327950288L, a = 2 * pi;
@@ -86,8 +84,7 @@ Errors run_manufactured(int n, ConvectionScheme scheme)
                   report.continuity_error / dt};
     for (int axis = 0; axis < 2; ++axis)
         errors.velocity += std::pow(
-            errors_of(flow.grid, flow.velocity[axis], axis, [&](Vec3 x) { return Real(velocity(axis, x.x, x.y)); }).rms,
-            2);
+            errors_of(flow.grid, flow.velocity[axis], axis, [&](Vec3 x) { return Real(velocity(axis, x.x, x.y)); }).rms, 2);
     errors.velocity = std::sqrt(errors.velocity);
     return errors;
 }
@@ -120,8 +117,7 @@ std::vector<VerifyCase> check_manufactured_flow()
         rows.push_back(
             at_least({name, "order of p, 24 to 48", reference}, observed_order(fine.pressure, finest.pressure), 1.5));
         // Rounding of 1e-16 over a spacing of 1/48, velocities up to 2.
-        rows.push_back(
-            compare_error({name + ", 48^2", "dn/dt + div(n u) [1/s]", "continuity"}, finest.continuity, 1e-11));
+        rows.push_back(compare_error({name + ", 48^2", "dn/dt + div(n u) [1/s]", "continuity"}, finest.continuity, 1e-11));
     }
     return rows;
 }

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace arenite
-{
+namespace arenite {
 
 inline MaterialSettings make_material(Real density, Real youngs_modulus, Real poissons_ratio)
 {

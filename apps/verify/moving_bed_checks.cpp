@@ -7,10 +7,8 @@
 
 #include <fmt/format.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 struct Expanded {
     Real porosity = 0;      // of a uniform bed whose grains lie as high on average
@@ -79,8 +77,7 @@ std::vector<VerifyCase> check_bed_expansion()
     return rows;
 }
 
-namespace
-{
+namespace {
 
 BedSettings suspension(Real porosity)
 {

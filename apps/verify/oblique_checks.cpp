@@ -9,10 +9,8 @@
 #include <array>
 #include <numbers>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr int steps_per_contact = 10000;
 constexpr Real limit = 2e-3; // of the reference, as the gate of these tests is stated
@@ -79,8 +77,7 @@ std::vector<VerifyCase> check_oblique_impacts()
                         {30, 0.684989232, -614.270997},
                         {60, 0.89482557, -355.22654}});
     add_constant_normal_speed(rows, "secant", TangentialLaw::secant, {{0.1, 0.0954776858}, {0.5, 0.475218498}, {8, 1}});
-    add_constant_normal_speed(rows, "rescaled", TangentialLaw::rescaled,
-                              {{0.1, 0.0623604662}, {0.5, 0.31180132}, {8, 1}});
+    add_constant_normal_speed(rows, "rescaled", TangentialLaw::rescaled, {{0.1, 0.0623604662}, {0.5, 0.31180132}, {8, 1}});
     add_constant_normal_speed(rows, "incremental", TangentialLaw::incremental,
                               {{0.1, 0.0891996118}, {0.5, 0.363700918}, {8, 1}});
     return rows;

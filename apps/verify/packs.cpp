@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace arenite
-{
+namespace arenite {
 
 std::vector<Grain> random_pack(PackSettings const& settings)
 {
@@ -21,8 +20,7 @@ std::vector<Grain> random_pack(PackSettings const& settings)
         int const site[3] = {i % along, i / along % along, i / (along * along)};
         for (int axis = 0; axis < 3; ++axis) {
             Real const anywhere = draw(1 + axis) * (settings.box + 2 * settings.overhang) - settings.overhang;
-            Real const cell = settings.box / along,
-                       jittered = (site[axis] + Real(0.4) + Real(0.2) * draw(1 + axis)) * cell;
+            Real const cell = settings.box / along, jittered = (site[axis] + Real(0.4) + Real(0.2) * draw(1 + axis)) * cell;
             grain.position[axis] = settings.lattice ? jittered : anywhere;
             grain.velocity[axis] = settings.speed * (2 * draw(4 + axis) - 1);
             grain.spin[axis] = settings.spin * (2 * draw(7 + axis) - 1);
@@ -57,8 +55,7 @@ int wrong_pairs(GrainSystem const& system)
         wrong += listed[std::minmax(pair.first, pair.second)]++ > 0;
         // The image that the list names is the nearest one.
         Vec3 const offset = grains[row[pair.first]].position - grains[row[pair.second]].position;
-        wrong +=
-            norm(offset - box.image_shift(pair.image) - nearest_offset(offset, box)) > Real(1e-9) * norm(box.size());
+        wrong += norm(offset - box.image_shift(pair.image) - nearest_offset(offset, box)) > Real(1e-9) * norm(box.size());
     }
     for (std::size_t i = 0; i < grains.size(); ++i)
         for (std::size_t j = i + 1; j < grains.size(); ++j) {

@@ -4,8 +4,7 @@
 
 #include "apps/verify/grain_system.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 struct PackSettings {
     int count = 0;

@@ -7,10 +7,8 @@
 
 #include <numbers>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real U = 1e-4; // superficial velocity, m/s
 
@@ -123,13 +121,11 @@ std::vector<VerifyCase> check_moving_porosity()
         converged = converged && report.converged;
     }
     std::string const name = "F7 porosity waves, open top, 20 steps";
-    return {
-        compare_error({name, "|sum dn/dt V + net outflow| / throughput", "closed form: 0 in every step"}, worst, 1e-12),
-        expect_true({name, "every solve converged", "solver"}, converged)};
+    return {compare_error({name, "|sum dn/dt V + net outflow| / throughput", "closed form: 0 in every step"}, worst, 1e-12),
+            expect_true({name, "every solve converged", "solver"}, converged)};
 }
 
-namespace
-{
+namespace {
 
 constexpr Real hole = 2.6e-3, hole_area = std::numbers::pi_v<Real> * hole * hole / 4; // m, m2
 
@@ -184,10 +180,9 @@ std::vector<VerifyCase> check_holes()
         for (int j = 0; j < 12; ++j)
             for (int i = 0; i < 12; ++i) top += 0.41 * value_of(w, i, j, 6) * c.flow.grid.face_area(2);
         std::string const name = fmt::format("F8 two holes of 2.6 mm, dt {:g} s", dt);
-        rows.push_back(
-            compare_error({name, "|flow / inflow - 1|, 10 steps", "closed form: 3.24e-8 m3/s"}, worst, 1e-12));
-        rows.push_back(compare({name, "mean speed in the hole [m/s]", "closed form: half the inflow each"},
-                               top / hole_area, 3.0513e-3, 1e-4));
+        rows.push_back(compare_error({name, "|flow / inflow - 1|, 10 steps", "closed form: 3.24e-8 m3/s"}, worst, 1e-12));
+        rows.push_back(compare({name, "mean speed in the hole [m/s]", "closed form: half the inflow each"}, top / hole_area,
+                               3.0513e-3, 1e-4));
     }
     // Darcy flow to a disc of constant pressure: the pressure is regular at the inlet, singular at the rim.
     Real pressure[3];

@@ -8,8 +8,7 @@
 #include <array>
 #include <functional>
 
-namespace arenite
-{
+namespace arenite {
 
 using Mobility = std::function<Real(int, int, int)>; // of a cell
 

@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace arenite
-{
+namespace arenite {
 
 std::vector<VerifyCase> check_pairs_found()
 {
@@ -25,16 +24,14 @@ std::vector<VerifyCase> check_pairs_found()
             for (int axis = 0; axis < periodic_axes; ++axis) settings.box.periodic[axis] = true;
             settings.skin = 1e-4;
             GrainSystem const system = make_system(settings);
-            rows.push_back(
-                compare_error({fmt::format("800 grains, size ratio {}, {} periodic axes", ratio, periodic_axes),
-                               "wrong pairs", "every two grains"},
-                              wrong_pairs(system), 0));
+            rows.push_back(compare_error({fmt::format("800 grains, size ratio {}, {} periodic axes", ratio, periodic_axes),
+                                          "wrong pairs", "every two grains"},
+                                         wrong_pairs(system), 0));
         }
     return rows;
 }
 
-namespace
-{
+namespace {
 
 /// Two rough grains that hold on to each other and travel along x, in a box that is closed or periodic.
 std::vector<Grain> travel(bool periodic)
@@ -70,15 +67,14 @@ std::vector<VerifyCase> check_periodic_crossing()
         motion = std::fmax(motion, norm(open[i].spin - wrapped[i].spin) / norm(open[i].spin));
     }
     bool const crossed = wrapped[0].position.x < edge / 2 && wrapped[1].position.x < edge / 2;
-    return {expect_true({"bonded pair crosses a periodic face", "crossed", "set-up"}, crossed),
-            compare_error({"bonded pair crosses a periodic face", "position / edge", "the same pair in the open"},
-                          place, 1e-12),
-            compare_error({"bonded pair crosses a periodic face", "velocity and spin", "the same pair in the open"},
-                          motion, 1e-12)};
+    return {
+        expect_true({"bonded pair crosses a periodic face", "crossed", "set-up"}, crossed),
+        compare_error({"bonded pair crosses a periodic face", "position / edge", "the same pair in the open"}, place, 1e-12),
+        compare_error({"bonded pair crosses a periodic face", "velocity and spin", "the same pair in the open"}, motion,
+                      1e-12)};
 }
 
-namespace
-{
+namespace {
 
 SystemSettings rough_pack(bool periodic)
 {
@@ -146,8 +142,7 @@ std::vector<VerifyCase> check_independence()
                 rows.push_back(
                     expect_true({name, fmt::format("equal bits with {}", what), source}, state_hash(other) == hash));
         }
-        rows.push_back(
-            expect_true({name, "equal bits with rows shuffled", source}, state_hash(run_pack(mixed)) == hash));
+        rows.push_back(expect_true({name, "equal bits with rows shuffled", source}, state_hash(run_pack(mixed)) == hash));
         rows.push_back(
             expect_true({name, "equal bits with kick and drift fused", source}, state_hash(run_pack(fused)) == hash));
     }

@@ -7,10 +7,8 @@
 
 #include <fmt/format.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 struct FallSettings {
     Real diameter = 0.23e-3, cell = 1.5e-3; // m
@@ -102,8 +100,7 @@ std::vector<VerifyCase> check_single_grain()
             settings.cell = cell;
             if (cell < 1.4e-3) settings.cells = {7, 7, 12}; // 21 diameters wide
             Fall const fall = settle(settings);
-            std::string const name =
-                                  fmt::format("C1 {} mm sphere in water, cell {:g} mm", c.diameter * 1e3, cell * 1e3),
+            std::string const name = fmt::format("C1 {} mm sphere in water, cell {:g} mm", c.diameter * 1e3, cell * 1e3),
                               source = "Di Felice 1994 with Dallavalle 1948";
             rows.push_back(compare({name, "slip at the end [m/s], at the n that the law sees", source}, fall.slip,
                                    fall.expected_slip, 5e-3));
@@ -112,14 +109,12 @@ std::vector<VerifyCase> check_single_grain()
             rows.push_back(compare({name, "time to 95 % of v_t [s]", source}, fall.time_95, c.time_95, 2e-2));
         }
     Fall const schiller = settle(fall_of(0.23e-3, 0.029683397, DragLaw::schiller_naumann));
-    rows.push_back(
-        compare({"C1 0.23 mm sphere in water, cell 1.5 mm", "slip at the end [m/s]", "Schiller & Naumann 1935"},
-                schiller.slip, 0.029683397, 5e-3));
+    rows.push_back(compare({"C1 0.23 mm sphere in water, cell 1.5 mm", "slip at the end [m/s]", "Schiller & Naumann 1935"},
+                           schiller.slip, 0.029683397, 5e-3));
     return rows;
 }
 
-namespace
-{
+namespace {
 
 /// CFDEM's settlingTestMPI: d 0.1 mm, rho 3000 in 10, nu 1e-5.
 Real light_fluid_speed(DragLaw law, Real terminal)
@@ -208,10 +203,9 @@ std::vector<VerifyCase> check_cell_sizes()
         settings.steps = 30;
         Fall const fall = settle(settings);
         std::string const name = fmt::format("C2 0.23 mm sphere in water, d/x {}", c.ratio);
-        if (c.ratio <= 1)
-            rows.push_back(compare({name, "speed [m/s]", "Di Felice 1994, n 1"}, fall.speed, terminal, 3e-2));
-        rows.push_back(compare({name, "slip [m/s] at the n that the law sees", "Di Felice 1994"}, fall.slip,
-                               fall.expected_slip, 1e-2));
+        if (c.ratio <= 1) rows.push_back(compare({name, "speed [m/s]", "Di Felice 1994, n 1"}, fall.speed, terminal, 3e-2));
+        rows.push_back(
+            compare({name, "slip [m/s] at the n that the law sees", "Di Felice 1994"}, fall.slip, fall.expected_slip, 1e-2));
         rise = std::fmax(rise, fall.slip - previous);
         previous = fall.slip;
     }

@@ -7,8 +7,7 @@
 #include "apps/verify/materials.hpp"
 #include "kernels/contact/contact_laws.hpp"
 
-namespace arenite
-{
+namespace arenite {
 
 struct SphereOnPlane {
     PairConstants pair;
@@ -45,8 +44,8 @@ inline SphereOnPlane make_collinear_pair(PairConstants const& pair, MaterialSett
 inline void evaluate_force(SphereOnPlane& sphere, Real dt)
 {
     Vec3 const normal{0, 0, 1};
-    ContactGeometry<> const contact{normal, -sphere.position.z,
-                                  sphere.velocity - sphere.radius * cross(sphere.spin, normal), sphere.scale};
+    ContactGeometry<> const contact{normal, -sphere.position.z, sphere.velocity - sphere.radius * cross(sphere.spin, normal),
+                                    sphere.scale};
     Vec3 const push = sphere.law(contact, sphere.pair, sphere.state, dt);
     sphere.force = push + sphere.mass * sphere.gravity;
     sphere.torque = -sphere.radius * cross(normal, push);
@@ -90,10 +89,8 @@ inline HertzImpact hertz_impact(ContactScale<> const& scale, Real effective_youn
     Real const overlap =
         std::pow(15 * scale.effective_mass * speed * speed / (16 * effective_youngs_modulus * root), Real(0.4));
     // 4 sqrt(pi) Gamma(2/5) / (5 Gamma(9/10)) = 2.943275...
-    Real const factor =
-        4 * std::sqrt(Real(3.14159265358979324)) * std::tgamma(Real(0.4)) / (5 * std::tgamma(Real(0.9)));
-    return {overlap, Real(4) / 3 * effective_youngs_modulus * root * std::pow(overlap, Real(1.5)),
-            factor * overlap / speed};
+    Real const factor = 4 * std::sqrt(Real(3.14159265358979324)) * std::tgamma(Real(0.4)) / (5 * std::tgamma(Real(0.9)));
+    return {overlap, Real(4) / 3 * effective_youngs_modulus * root * std::pow(overlap, Real(1.5)), factor * overlap / speed};
 }
 
 } // namespace arenite

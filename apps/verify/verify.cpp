@@ -12,10 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 std::string json_number(Real value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null"; }
 
@@ -42,8 +40,8 @@ std::vector<VerifyGroup> const& verify_groups()
 {
     static std::vector<VerifyGroup> const groups{
         {"contact",
-         {check_pair_constants, check_hertz_impacts, check_restitution, check_bouncing, check_exact_touch,
-          check_jkr_points, check_jkr_curve, check_work_of_peeling, check_pull, check_sticking, check_bonded_release}},
+         {check_pair_constants, check_hertz_impacts, check_restitution, check_bouncing, check_exact_touch, check_jkr_points,
+          check_jkr_curve, check_work_of_peeling, check_pull, check_sticking, check_bonded_release}},
         {"friction",
          {check_friction_cycle, check_partial_slip, check_shear_paths, check_rigid_turns, check_incline,
           check_sliding_to_rolling, check_gear_spin, check_oblique_impacts, check_spinning_impacts}},
@@ -51,12 +49,12 @@ std::vector<VerifyGroup> const& verify_groups()
          {check_free_fall, check_pair_conservation, check_many_bodies, check_squeezed_pair, check_critical_step}},
         {"search", {check_pairs_found, check_periodic_crossing, check_independence}},
         {"fluid",
-         {check_cavity, check_vortices, check_order_in_time, check_channel, check_brinkman, check_relaxation,
-          check_darcy, check_fluid_at_rest, check_manufactured_flow, check_porosity_jumps, check_moving_porosity,
-          check_holes, check_pressure_solver}},
+         {check_cavity, check_vortices, check_order_in_time, check_channel, check_brinkman, check_relaxation, check_darcy,
+          check_fluid_at_rest, check_manufactured_flow, check_porosity_jumps, check_moving_porosity, check_holes,
+          check_pressure_solver}},
         {"coupling",
-         {check_single_grain, check_light_fluid, check_rising_gas, check_cell_sizes, check_momentum_balance,
-          check_fixed_bed, check_ergun_bed, check_paper_bed, check_fluid_steps, check_fluidisation, check_bed_expansion,
+         {check_single_grain, check_light_fluid, check_rising_gas, check_cell_sizes, check_momentum_balance, check_fixed_bed,
+          check_ergun_bed, check_paper_bed, check_fluid_steps, check_fluidisation, check_bed_expansion,
           check_batch_settling}},
         {"coarse_graining",
          {check_coarse_grained_pair, check_coarse_speeds, check_lattice_stress, check_coarse_step, check_coarse_bed,
@@ -65,8 +63,7 @@ std::vector<VerifyGroup> const& verify_groups()
     return groups;
 }
 
-namespace
-{
+namespace {
 
 /// A check that stops is a row that fails, and the others go on.
 std::vector<VerifyCase> rows_of(VerifyCheck check)
@@ -104,11 +101,11 @@ std::string verification_table(std::vector<VerifyCase> const& cases)
         name = std::max(name, row.name.size());
         quantity = std::max(quantity, row.quantity.size());
     }
-    std::string table = fmt::format("{:<10} {:<{}} {:<{}} {:>15} {:>15} {:>9} {:>9}       source\n", "group", "case",
-                                    name, "quantity", quantity, "value", "reference", "error", "limit");
+    std::string table = fmt::format("{:<10} {:<{}} {:<{}} {:>15} {:>15} {:>9} {:>9}       source\n", "group", "case", name,
+                                    "quantity", quantity, "value", "reference", "error", "limit");
     for (VerifyCase const& row : cases)
-        table += fmt::format("{:<10} {:<{}} {:<{}} {:>15.9g} {:>15.9g} {:>9.1e} {:>9.1e} {:<5} {}\n", row.group,
-                             row.name, name, row.quantity, quantity, row.value, row.reference, row.error, row.limit,
+        table += fmt::format("{:<10} {:<{}} {:<{}} {:>15.9g} {:>15.9g} {:>9.1e} {:>9.1e} {:<5} {}\n", row.group, row.name,
+                             name, row.quantity, quantity, row.value, row.reference, row.error, row.limit,
                              row.pass ? "ok" : "FAIL", row.source);
     auto const failed = std::count_if(cases.begin(), cases.end(), [](VerifyCase const& row) { return !row.pass; });
     return table + fmt::format("{} checks, {} failed\n", cases.size(), failed);
@@ -118,12 +115,12 @@ std::string verification_json(std::vector<VerifyCase> const& cases)
 {
     std::string json = "[";
     for (VerifyCase const& row : cases) {
-        json += fmt::format("{}\n  {{\"group\": {}, \"name\": {}, \"quantity\": {}, \"value\": {}, \"reference\": {}, "
-                            "\"error\": {}, \"limit\": {}, \"source\": {}, \"pass\": {}}}",
-                            json.size() > 1 ? "," : "", json_string(row.group), json_string(row.name),
-                            json_string(row.quantity), json_number(row.value), json_number(row.reference),
-                            json_number(row.error), json_number(row.limit), json_string(row.source),
-                            row.pass ? "true" : "false");
+        json +=
+            fmt::format("{}\n  {{\"group\": {}, \"name\": {}, \"quantity\": {}, \"value\": {}, \"reference\": {}, "
+                        "\"error\": {}, \"limit\": {}, \"source\": {}, \"pass\": {}}}",
+                        json.size() > 1 ? "," : "", json_string(row.group), json_string(row.name), json_string(row.quantity),
+                        json_number(row.value), json_number(row.reference), json_number(row.error), json_number(row.limit),
+                        json_string(row.source), row.pass ? "true" : "false");
     }
     return json + "\n]\n";
 }

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace arenite
-{
+namespace arenite {
 
 struct VerifyCase {
     std::string group;

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace arenite
-{
+namespace arenite {
 
 /// What a row says beside its numbers.
 struct VerifyLabel {
@@ -23,10 +22,7 @@ inline VerifyCase compare(VerifyLabel const& label, Real value, Real reference, 
 }
 
 /// A measured error, which should be 0.
-inline VerifyCase compare_error(VerifyLabel const& label, Real error, Real limit)
-{
-    return compare(label, error, 0, limit);
-}
+inline VerifyCase compare_error(VerifyLabel const& label, Real error, Real limit) { return compare(label, error, 0, limit); }
 
 /// A value that may not be below `least`, as an observed order: the error is what is missing.
 inline VerifyCase at_least(VerifyLabel const& label, Real value, Real least)

@@ -8,10 +8,8 @@
 
 #include <numbers>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real length = 2 * std::numbers::pi_v<Real>;
 
@@ -44,12 +42,8 @@ FluidCase make_vortex_box(int n, Real nu, bool with_grains)
 VortexErrors run_vortices(int n, int steps, Real nu)
 {
     FluidCase c = make_vortex_box(n, nu, false);
-    auto const u = [&](Real t) {
-        return [=](Vec3 x) { return std::cos(x.x) * std::sin(x.y) * std::exp(-2 * nu * t); };
-    };
-    auto const v = [&](Real t) {
-        return [=](Vec3 x) { return -std::sin(x.x) * std::cos(x.y) * std::exp(-2 * nu * t); };
-    };
+    auto const u = [&](Real t) { return [=](Vec3 x) { return std::cos(x.x) * std::sin(x.y) * std::exp(-2 * nu * t); }; };
+    auto const v = [&](Real t) { return [=](Vec3 x) { return -std::sin(x.x) * std::cos(x.y) * std::exp(-2 * nu * t); }; };
     auto const p = [&](Real t) {
         return [=](Vec3 x) { return -(std::cos(2 * x.x) + std::cos(2 * x.y)) / 4 * std::exp(-4 * nu * t); };
     };
@@ -75,23 +69,22 @@ std::vector<VerifyCase> check_vortices()
         std::string const name = fmt::format("F2 Taylor-Green, nu {}, t 1", nu), source = "Taylor & Green 1937";
         rows.push_back(compare_error({name + ", 64^2", "rms error of u [m/s]", source}, finest.velocity, 1e-3));
         rows.push_back(compare_error({name + ", 64^2", "rms error of p [Pa]", source}, finest.pressure, 1e-3));
-        rows.push_back(at_least({name, "order of u in space, 16 to 32", source},
-                                observed_order(coarse.velocity, fine.velocity), 1.9));
-        rows.push_back(at_least({name, "order of u in space, 32 to 64", source},
-                                observed_order(fine.velocity, finest.velocity), 1.9));
-        rows.push_back(at_least({name, "order of p in space, 32 to 64", source},
-                                observed_order(fine.pressure, finest.pressure), 1.9));
+        rows.push_back(
+            at_least({name, "order of u in space, 16 to 32", source}, observed_order(coarse.velocity, fine.velocity), 1.9));
+        rows.push_back(
+            at_least({name, "order of u in space, 32 to 64", source}, observed_order(fine.velocity, finest.velocity), 1.9));
+        rows.push_back(
+            at_least({name, "order of p in space, 32 to 64", source}, observed_order(fine.pressure, finest.pressure), 1.9));
         rows.push_back(compare({name + ", 64^2", "energy at the end / at the start", source}, finest.energy_ratio,
                                std::exp(-4 * nu), 5e-4));
         rows.push_back(compare_error({name + ", 64^2", "div u [1/s]", "continuity"}, finest.divergence, 1e-12));
-        rows.push_back(expect_true({name, "every solve converged", "solver"},
-                                   coarse.converged && fine.converged && finest.converged));
+        rows.push_back(
+            expect_true({name, "every solve converged", "solver"}, coarse.converged && fine.converged && finest.converged));
     }
     return rows;
 }
 
-namespace
-{
+namespace {
 
 HostField end_velocity(bool with_grains, int steps)
 {

@@ -130,8 +130,7 @@ InteractionSettings const* find_interaction(std::vector<InteractionSettings> con
                                             std::string const& b)
 {
     for (InteractionSettings const& entry : list)
-        if ((entry.materials[0] == a && entry.materials[1] == b) ||
-            (entry.materials[0] == b && entry.materials[1] == a))
+        if ((entry.materials[0] == a && entry.materials[1] == b) || (entry.materials[0] == b && entry.materials[1] == a))
             return &entry;
     return nullptr;
 }

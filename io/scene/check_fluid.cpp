@@ -18,8 +18,8 @@ void check_steps(Scene const& scene, FluidSettings const& f, Faults& faults)
     if (f.time_step > 0 && f.coupling_interval > 0)
         faults.add("fluid.coupling_interval", "stands beside time_step: give one of them");
     else if (!(f.time_step > 0) && f.coupling_interval == 0)
-        faults.add("fluid", grains ? "missing key time_step [s] or coupling_interval [grain steps]"
-                                   : "missing key time_step [s]");
+        faults.add("fluid",
+                   grains ? "missing key time_step [s] or coupling_interval [grain steps]" : "missing key time_step [s]");
     else if (!grains && f.coupling_interval > 0)
         faults.add("fluid.coupling_interval", "there are no grains: give time_step");
 }
@@ -55,8 +55,8 @@ void check_periodic_faces(Scene const& scene, FluidSettings const& f, Faults& fa
         std::size_t const face = static_cast<std::size_t>(f.patches[i].face);
         std::string const path = element("fluid.patches", i);
         if (f.patches[i].kind == PatchKind::periodic && !periodic[face ^ 1])
-            faults.add(path, fmt::format("{} is periodic, so {} must be periodic too", face_names[face],
-                                         face_names[face ^ 1]));
+            faults.add(path,
+                       fmt::format("{} is periodic, so {} must be periodic too", face_names[face], face_names[face ^ 1]));
         if (periodic[face] && f.patches[i].kind != PatchKind::periodic)
             faults.add(path, fmt::format("{} is periodic and can carry no other patch", face_names[face]));
     }
@@ -64,9 +64,8 @@ void check_periodic_faces(Scene const& scene, FluidSettings const& f, Faults& fa
         if (scene.domain.periodic[axis] && !(periodic[2 * axis] && periodic[2 * axis + 1]))
             faults.add(
                 "fluid",
-                fmt::format(
-                    "the domain is periodic along {}: add [[fluid.patches]] with type = \"periodic\" for {} and {}",
-                    "xyz"[axis], face_names[2 * axis], face_names[2 * axis + 1]));
+                fmt::format("the domain is periodic along {}: add [[fluid.patches]] with type = \"periodic\" for {} and {}",
+                            "xyz"[axis], face_names[2 * axis], face_names[2 * axis + 1]));
 }
 
 } // namespace
@@ -78,7 +77,9 @@ void check_fluid(Scene const& scene, Faults& faults)
     check_steps(scene, f, faults);
     constexpr Real most = 1e9; // a cell's number is an int, and so is that of its faces
     Real const cells = Real(f.cells[0]) * f.cells[1] * f.cells[2];
-    if (cells > most) faults.add("fluid.cells", fmt::format("are {:.3g} cells in all, more than the {:g} that a run can have", cells, most));
+    if (cells > most)
+        faults.add("fluid.cells",
+                   fmt::format("are {:.3g} cells in all, more than the {:g} that a run can have", cells, most));
     if (f.box) check_region(*f.box, "fluid.box", faults);
     check_fit_wall(scene, f, faults);
     for (std::size_t i = 0; i < f.patches.size(); ++i) check_patch(f.patches[i], element("fluid.patches", i), faults);

@@ -48,7 +48,9 @@ void check_classes(DistributionSettings const& d, std::string const& path, Fault
 void check_amount(Scene const& scene, std::string const& path, Faults& faults)
 {
     DistributionSettings const& d = scene.particles.distribution;
-    if (faults.any_faulty({path, path + ".diameters", path + ".fractions", path + ".lognormal", path + ".region", "coarse_graining.factor"})) return;
+    if (faults.any_faulty({path, path + ".diameters", path + ".fractions", path + ".lognormal", path + ".region",
+                           "coarse_graining.factor"}))
+        return;
     Real const mean = scene.coarse_graining.factor * mean_volume_diameter(d);
     if (!(mean > 0) || !std::isfinite(mean * mean * mean) || !(mean * mean * mean > 0))
         return faults.add(path, "the grains' mean volume is not a number that can be computed with");
@@ -58,7 +60,8 @@ void check_amount(Scene const& scene, std::string const& path, Faults& faults)
     Real const solid = d.solid_volume > 0 ? d.solid_volume : d.solid_fraction * size.x * size.y * size.z;
     Real const grains = solid / (std::numbers::pi_v<Real> / 6 * mean * mean * mean);
     constexpr Real most = std::numeric_limits<int>::max();
-    if (!(grains <= most)) faults.add(path, fmt::format("is {:.3g} grains, more than the {:.0f} that a run can have", grains, most));
+    if (!(grains <= most))
+        faults.add(path, fmt::format("is {:.3g} grains, more than the {:.0f} that a run can have", grains, most));
 }
 
 void check_distribution(Scene const& scene, Faults& faults)
@@ -106,8 +109,7 @@ std::vector<int> check_source(Scene const& scene, Faults& faults)
 {
     ParticlesSettings const& p = scene.particles;
     int const named = material_row(scene, p.material);
-    if (!p.material.empty())
-        check_name(p.material, names_of(scene.materials), "material", "particles.material", faults);
+    if (!p.material.empty()) check_name(p.material, names_of(scene.materials), "material", "particles.material", faults);
     bool const reads = p.source == ParticleSource::file || p.source == ParticleSource::checkpoint;
     if (reads && !p.file.empty() && !is_file(path_of(scene, p.file))) {
         faults.add("particles.file", fmt::format("there is no file {}", path_of(scene, p.file)));
@@ -128,10 +130,8 @@ std::vector<int> check_source(Scene const& scene, Faults& faults)
 
 void check_group(Scene const& scene, GrainGroupSettings const& g, std::string const& path, Faults& faults)
 {
-    for (std::string const& stage : g.stages)
-        check_name(stage, names_of(scene.stages), "stage", path + ".stages", faults);
-    if (g.ids.empty() && g.classes.empty() && !g.region)
-        faults.add(path, "chooses no grains: needs ids, classes or region");
+    for (std::string const& stage : g.stages) check_name(stage, names_of(scene.stages), "stage", path + ".stages", faults);
+    if (g.ids.empty() && g.classes.empty() && !g.region) faults.add(path, "chooses no grains: needs ids, classes or region");
     if (g.region) check_region(*g.region, path + ".region", faults);
     if (g.held && g.velocity) faults.add(path + ".held", "stands beside velocity: a grain is held or moved");
     if (g.spin && !g.velocity) faults.add(path + ".spin", "needs velocity beside it");

@@ -30,8 +30,8 @@ MaterialSettings const& stage_material(StageSettings const& stage, MaterialSetti
     return found == stage.materials.end() ? material : found->second;
 }
 
-void check_pair(Scene const& scene, StageSettings const& stage, std::string const& stage_path,
-                MaterialSettings const& first, MaterialSettings const& second, ContactSettings law, Faults& faults)
+void check_pair(Scene const& scene, StageSettings const& stage, std::string const& stage_path, MaterialSettings const& first,
+                MaterialSettings const& second, ContactSettings law, Faults& faults)
 {
     MaterialSettings const &a = stage_material(stage, first), &b = stage_material(stage, second);
     InteractionSettings const* entry = find_interaction(stage.interactions, a.name, b.name);
@@ -51,8 +51,8 @@ void check_pair(Scene const& scene, StageSettings const& stage, std::string cons
         differ("friction", a.friction, b.friction);
 }
 
-void check_pairs(Scene const& scene, std::size_t stage_index, std::vector<int> const& grains,
-                 std::set<int> const& walls, Faults& faults)
+void check_pairs(Scene const& scene, std::size_t stage_index, std::vector<int> const& grains, std::set<int> const& walls,
+                 Faults& faults)
 {
     StageSettings const& stage = scene.stages[stage_index];
     std::string const path = element("stages", stage_index, stage.name);

@@ -8,8 +8,7 @@ void check_output(Scene const& scene, Faults& faults)
     for (std::size_t i = 0; i < scene.output.probes.size(); ++i) {
         ProbeSettings const& probe = scene.output.probes[i];
         std::string const path = element("output.probes", i, probe.name);
-        if (probe.grain.has_value() == probe.point.has_value())
-            faults.add(path, "needs exactly one of grain and point");
+        if (probe.grain.has_value() == probe.point.has_value()) faults.add(path, "needs exactly one of grain and point");
         if (probe.point && !scene.fluid) faults.add(path + ".point", "there is no table [fluid]");
     }
     StreamlineSettings const& s = scene.output.streamlines;

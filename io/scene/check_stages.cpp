@@ -45,15 +45,13 @@ void check_motion(WallAction const& a, bool present, std::string const& path, Fa
     if (moves && !present) faults.add(path, "moves a wall that is not there: add it with present = true");
     if (a.servo && (a.velocity || a.angular_velocity))
         faults.add(path + ".servo", "stands beside a velocity: give one of them");
-    if (a.travel && !(a.velocity && norm(*a.velocity) > 0))
-        faults.add(path + ".travel", "needs a velocity that is not 0");
+    if (a.travel && !(a.velocity && norm(*a.velocity) > 0)) faults.add(path + ".travel", "needs a velocity that is not 0");
     if (a.and_back && !a.travel) faults.add(path + ".and_back", "needs travel");
     if (a.ramp_time && !a.velocity && !a.angular_velocity) faults.add(path + ".ramp_time", "needs velocity");
     if (a.servo) check_servo(*a.servo, path + ".servo", faults);
 }
 
-void check_actions(Scene const& scene, StageSettings const& s, std::string const& stage_path, Walls& walls,
-                   Faults& faults)
+void check_actions(Scene const& scene, StageSettings const& s, std::string const& stage_path, Walls& walls, Faults& faults)
 {
     for (std::size_t i = 0; i < s.walls.size(); ++i) {
         WallAction const& a = s.walls[i];
@@ -84,8 +82,7 @@ void check_end(Scene const& scene, StageSettings const& s, std::string const& st
     }
     bool const travels =
         std::any_of(s.walls.begin(), s.walls.end(), [](WallAction const& a) { return a.travel.has_value(); });
-    if (s.end.wall_travel_done && !travels)
-        faults.add(path + ".wall_travel_done", "no wall of this stage has a travel");
+    if (s.end.wall_travel_done && !travels) faults.add(path + ".wall_travel_done", "no wall of this stage has a travel");
     if (s.end.box_stress_tolerance && !(s.box && s.box->holds_stress()))
         faults.add(path + ".box_stress_tolerance", "no axis of this stage's box holds a stress");
 }
@@ -132,13 +129,11 @@ void check_kind(Scene const& scene, std::size_t index, std::string const& path, 
         std::any_of(s.walls.begin(), s.walls.end(), [](WallAction const& a) { return a.servo.has_value(); });
     if (s.kind == StageKind::compression && !pressed)
         faults.add(path + ".kind", "compression needs a wall with [stages.walls.servo]");
-    if (s.target_porosity > 0 && !pressed)
-        faults.add(path + ".target_porosity", "needs a wall with [stages.walls.servo]");
+    if (s.target_porosity > 0 && !pressed) faults.add(path + ".target_porosity", "needs a wall with [stages.walls.servo]");
     if (!s.carrier.empty() && check_name(s.carrier, names_of(scene.walls), "wall", path + ".carrier", faults) &&
         find_wall(scene, s.carrier)->shape != WallShape::plane)
         faults.add(path + ".carrier", "must be a plane");
-    if (s.fluid && s.kind != StageKind::dynamics)
-        faults.add(path + ".fluid", "only a stage of kind dynamics has fluid");
+    if (s.fluid && s.kind != StageKind::dynamics) faults.add(path + ".fluid", "only a stage of kind dynamics has fluid");
     if (s.fluid && !scene.fluid) faults.add(path + ".fluid", "there is no table [fluid]");
 }
 

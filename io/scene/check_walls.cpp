@@ -42,10 +42,7 @@ bool is_sound(WallSettings const& w)
     return false;
 }
 
-bool is_body(WallSettings const& w)
-{
-    return !w.inside && (w.shape == WallShape::cylinder || w.shape == WallShape::box);
-}
+bool is_body(WallSettings const& w) { return !w.inside && (w.shape == WallShape::cylinder || w.shape == WallShape::box); }
 
 constexpr Real not_there = -1e300; // depth where a wall has no say
 
@@ -72,8 +69,7 @@ Real depth_in_cylinder(WallSettings const& w, Vec3 const& p)
 Real depth_in_box(WallSettings const& w, Vec3 const& p)
 {
     Real depth = 1e300;
-    for (int axis = 0; axis < 3; ++axis)
-        depth = std::min({depth, p[axis] - w.box.lower[axis], w.box.upper[axis] - p[axis]});
+    for (int axis = 0; axis < 3; ++axis) depth = std::min({depth, p[axis] - w.box.lower[axis], w.box.upper[axis] - p[axis]});
     return w.inside ? -depth : depth;
 }
 
@@ -148,8 +144,7 @@ std::string clash_of_surfaces(WallSettings const& a, WallSettings const& b, Real
 
 std::string clash(WallSettings const& a, WallSettings const& b, Real tolerance)
 {
-    if (is_body(a) && is_body(b))
-        return reaches_into(a, b, tolerance) || reaches_into(b, a, tolerance) ? "overlaps" : "";
+    if (is_body(a) && is_body(b)) return reaches_into(a, b, tolerance) || reaches_into(b, a, tolerance) ? "overlaps" : "";
     if (is_body(a)) return crosses(a, b, tolerance) ? "overlaps" : "";
     if (is_body(b)) return crosses(b, a, tolerance) ? "overlaps" : "";
     return clash_of_surfaces(a, b, tolerance);

@@ -50,7 +50,7 @@ private:
     std::map<std::string, Place> places_;
     std::vector<Fault> faults_;
     std::set<std::string> faulty_, wrong_values_, ignored_; // paths
-    std::set<std::string> said_; // one mistake seen from two sides is said once
+    std::set<std::string> said_;                            // one mistake seen from two sides is said once
 };
 
 /// Control characters as \u0000: a message is one line, and a zero would end it and all that follow.

@@ -47,11 +47,10 @@ Fields scene_fields(Scene& s)
         {"walls", list_of(s.walls, wall_fields, "name"), "", "what grains bounce off"},
         {"fluid", optional_table_of(s.fluid, fluid_fields), "", "the water; without this table there is none"},
         {"stages",
-         TableList{
-             [&s] { return s.stages.size(); }, [&s](std::size_t i) { return stage_fields(s.stages[i], s.materials); },
-             [&s] { return stage_fields(s.stages.emplace_back(), s.materials); },
-             [] { return stage_fields(example_of<StageSettings>(), example_of<std::vector<MaterialSettings>>()); },
-             "name"},
+         TableList{[&s] { return s.stages.size(); }, [&s](std::size_t i) { return stage_fields(s.stages[i], s.materials); },
+                   [&s] { return stage_fields(s.stages.emplace_back(), s.materials); },
+                   [] { return stage_fields(example_of<StageSettings>(), example_of<std::vector<MaterialSettings>>()); },
+                   "name"},
          "", "what happens, one after the other"},
         {"output", table_of(s.output, output_fields), "", "what is written and when"},
     };
@@ -63,8 +62,7 @@ Fields material_fields(MaterialSettings& m)
     return {
         {"rigid", &m.rigid, "", "does not deform (walls)"},
         standing_for("not needed by walls", {"density", &m.density, "kg/m3", "of the solid itself", not_negative()}),
-        required(
-            only_when(deforms, "rigid = false", {"youngs_modulus", &m.youngs_modulus, "Pa", "stiffness", positive()})),
+        required(only_when(deforms, "rigid = false", {"youngs_modulus", &m.youngs_modulus, "Pa", "stiffness", positive()})),
         required(only_when(deforms, "rigid = false",
                            {"poissons_ratio", &m.poissons_ratio, "", "Poisson's ratio", between_open(-1, 0.5)})),
         {"restitution", &m.restitution, "", "rebound speed over impact speed", above_up_to(0, 1)},

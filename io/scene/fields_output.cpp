@@ -30,8 +30,7 @@ Fields streamline_fields(StreamlineSettings& s)
         {"disc_normal", &s.disc_normal, "", "normal of the disc, of any length but 0"},
         {"disc_radius", &s.disc_radius, "m", "radius of the disc", not_negative()},
         {"count", &s.count, "", "seeds on the line and on the disc", between(0, 100000)},
-        standing_for("four box diagonals",
-                     {"max_length", &s.max_length, "m", "a streamline ends there", not_negative()}),
+        standing_for("four box diagonals", {"max_length", &s.max_length, "m", "a streamline ends there", not_negative()}),
     };
 }
 

@@ -41,8 +41,7 @@ Fields end_fields(EndSettings& e)
     auto const stress = [&e] { return !e.stress_wall.empty(); };
     auto const position = [&e] { return !e.position_wall.empty(); };
     return {
-        {"kinetic_energy_ratio", &e.kinetic_energy_ratio, "", "kinetic over elastic contact energy is below",
-         positive()},
+        {"kinetic_energy_ratio", &e.kinetic_energy_ratio, "", "kinetic over elastic contact energy is below", positive()},
         {"kinetic_energy", &e.kinetic_energy, "J", "kinetic energy is below", positive()},
         {"stress_wall", &e.stress_wall, "", "wall whose stress is looked at"},
         required(only_when(stress, "stress_wall", {"stress", &e.stress, "Pa", "is reached on that wall", positive()})),
@@ -79,7 +78,8 @@ Fields box_fields(BoxSettings& b)
         {"y", box_axis(b, 1), "", "along y"},
         {"z", box_axis(b, 2), "", "along z"},
         {"max_strain_rate", &b.max_strain_rate, "1/s",
-         "of axes that hold a stress: the largest, which answers a stress that is off by its own size; beside an axis with a "
+         "of axes that hold a stress: the largest, which answers a stress that is off by its own size; beside an axis with "
+         "a "
          "strain rate they also learn the rate that lasts",
          not_negative()},
     };
@@ -136,21 +136,18 @@ Fields stage_fields(StageSettings& s, std::vector<MaterialSettings> const& mater
         {"time_step_fraction", &s.time_step_fraction, "", "of the critical step", between(0, 1)},
         standing_for("the domain's", {"gravity", &s.gravity, "m/s2", "during this stage"}),
         {"fluid", &s.fluid, "", "the fluid flows during this stage"},
-        {"outlet_wall", &s.outlet_wall, "",
-         "plane wall; grains that are through an open hole of it are produced and leave"},
+        {"outlet_wall", &s.outlet_wall, "", "plane wall; grains that are through an open hole of it are produced and leave"},
         {"local_damping", &s.local_damping, "",
          "share of the unbalanced force that opposes motion (quasi-static stages only)", between(0, 1)},
-        standing_for(
-            "true if the stage before ran under another law",
-            {"form_bonds", &s.form_bonds, "", "with law = \"modified_jkr\": what touches at the start is bonded"}),
+        standing_for("true if the stage before ran under another law",
+                     {"form_bonds", &s.form_bonds, "", "with law = \"modified_jkr\": what touches at the start is bonded"}),
         {"carrier", &s.carrier, "",
          "plane wall; grains ride on the homogeneous strain that its motion means for the domain (fast, even "
          "compression)"},
         standing_for("friction stays",
                      {"target_porosity", &s.target_porosity, "",
                       "with a servo: friction falls until the porosity under its stress is this", between(0, 1)}),
-        standing_for("the output's",
-                     {"history_interval", &s.history_interval, "s", "during this stage", not_negative()}),
+        standing_for("the output's", {"history_interval", &s.history_interval, "s", "during this stage", not_negative()}),
         standing_for("the output's", {"field_interval", &s.field_interval, "s", "during this stage", not_negative()}),
         standing_for("the output's",
                      {"checkpoint_interval", &s.checkpoint_interval, "s", "during this stage", not_negative()}),

@@ -21,10 +21,7 @@ struct Reading {
     std::string const& path;
     Faults& faults;
 
-    void wrong_type() const
-    {
-        fault("must be " + type_name(field) + (field.unit.empty() ? "" : " [" + field.unit + "]"));
-    }
+    void wrong_type() const { fault("must be " + type_name(field) + (field.unit.empty() ? "" : " [" + field.unit + "]")); }
     void fault(std::string const& message) const { faults.add_value(path, message); }
 };
 
@@ -65,10 +62,9 @@ template <class Integer> bool read_integer(Reading const& r, SceneNode const& no
     if (!whole) return r.wrong_type(), false;
     long long const read = node.kind == Kind::integer ? node.integer : static_cast<long long>(node.real);
     if (!in_range(r, static_cast<Real>(read))) return false;
-    bool const fits = std::is_unsigned_v<Integer>
-                          ? read >= 0
-                          : read >= static_cast<long long>(std::numeric_limits<Integer>::min()) &&
-                                read <= static_cast<long long>(std::numeric_limits<Integer>::max());
+    bool const fits = std::is_unsigned_v<Integer> ? read >= 0
+                                                  : read >= static_cast<long long>(std::numeric_limits<Integer>::min()) &&
+                                                        read <= static_cast<long long>(std::numeric_limits<Integer>::max());
     if (!fits) {
         r.fault(std::is_unsigned_v<Integer> ? "must be >= 0" : read < 0 ? "is too small" : "is too large");
         return false;
@@ -78,10 +74,7 @@ template <class Integer> bool read_integer(Reading const& r, SceneNode const& no
 }
 bool read_one(Reading const& r, SceneNode const& node, int& value) { return read_integer(r, node, value); }
 bool read_one(Reading const& r, SceneNode const& node, long long& value) { return read_integer(r, node, value); }
-bool read_one(Reading const& r, SceneNode const& node, unsigned long long& value)
-{
-    return read_integer(r, node, value);
-}
+bool read_one(Reading const& r, SceneNode const& node, unsigned long long& value) { return read_integer(r, node, value); }
 
 bool read_one(Reading const& r, SceneNode const& node, std::string& value)
 {
@@ -236,8 +229,7 @@ void read_table(SceneNode const& table, Fields const& fields, std::string const&
         bool known = false;
         for (std::string const& name : names) known = known || name == entry.key;
         if (known) continue;
-        faults.add_at(entry.location,
-                      fmt::format("{}{}: unknown key{}", prefix, entry.key, suggestion(entry.key, names)));
+        faults.add_at(entry.location, fmt::format("{}{}: unknown key{}", prefix, entry.key, suggestion(entry.key, names)));
     }
 }
 

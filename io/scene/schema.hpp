@@ -74,11 +74,11 @@ struct TableMap {
     std::function<Fields()> example;
 };
 
-using Target = std::variant<bool*, int*, long long*, unsigned long long*, Real*, std::string*, Vec3*,
-                            std::optional<bool>*, std::optional<int>*, std::optional<long long>*, std::optional<Real>*,
-                            std::optional<Vec3>*, std::array<int, 3>*, std::array<bool, 3>*,
-                            std::array<std::string, 2>*, std::vector<Real>*, std::vector<int>*, std::vector<long long>*,
-                            std::vector<Vec3>*, Choice, WordList, SubTable, TableList, TableMap>;
+using Target = std::variant<bool*, int*, long long*, unsigned long long*, Real*, std::string*, Vec3*, std::optional<bool>*,
+                            std::optional<int>*, std::optional<long long>*, std::optional<Real>*, std::optional<Vec3>*,
+                            std::array<int, 3>*, std::array<bool, 3>*, std::array<std::string, 2>*, std::vector<Real>*,
+                            std::vector<int>*, std::vector<long long>*, std::vector<Vec3>*, Choice, WordList, SubTable,
+                            TableList, TableMap>;
 
 struct Field {
     std::string name;

@@ -10,18 +10,18 @@
 namespace arenite {
 
 template <class N = Real> struct ContactGeometry {
-    Vector<N> normal;    // unit, from j to i
-    N overlap = 0;       // m, > 0 when the spheres interpenetrate
-    Vector<N> velocity;  // m/s, of i's surface relative to j's at the contact
+    Vector<N> normal;   // unit, from j to i
+    N overlap = 0;      // m, > 0 when the spheres interpenetrate
+    Vector<N> velocity; // m/s, of i's surface relative to j's at the contact
     ContactScale<N> scale;
 };
 
 /// What a contact remembers from step to step.
 template <class N = Real> struct ContactState {
-    Vector<N> spring;                            // xi, m, in the contact plane
-    N previous_radius = 0;                       // a at the last step, m
-    MaskOf<N> adhering = MaskOf<N>(false);       // follows the JKR curve
-    MaskOf<N> touching = MaskOf<N>(false);       // carried a force at the last step
+    Vector<N> spring;                      // xi, m, in the contact plane
+    N previous_radius = 0;                 // a at the last step, m
+    MaskOf<N> adhering = MaskOf<N>(false); // follows the JKR curve
+    MaskOf<N> touching = MaskOf<N>(false); // carried a force at the last step
 };
 
 template <class Normal, class Tangential> struct ContactLaw {
@@ -34,8 +34,8 @@ template <class Normal, class Tangential> struct ContactLaw {
     /// Force on i [N] (on j: the opposite); the spring must have been transported to the new normal. A contact that does
     /// not touch has no force and forgets its spring.
     template <class N>
-    KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(ContactGeometry<N> const& contact, PairConstants const& pair, ContactState<N>& state,
-                                         Real dt) const
+    KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(ContactGeometry<N> const& contact, PairConstants const& pair,
+                                                     ContactState<N>& state, Real dt) const
     {
         NormalResponse<N> response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
         state.touching = response.touches;
@@ -46,7 +46,8 @@ template <class Normal, class Tangential> struct ContactLaw {
         if (pair.clip_attraction)
             normal_force = select(response.pull_off_force > N(0), normal_force, larger(normal_force, N(0)));
         Vector<N> const slip = contact.velocity - normal_velocity * contact.normal;
-        Vector<N> const tangential = Tangential{}(slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
+        Vector<N> const tangential =
+            Tangential{}(slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
         if constexpr (has_history) {
             state.spring = select(state.touching, state.spring, Vector<N>{});
             state.previous_radius = select(state.touching, state.previous_radius, N(0));

@@ -8,7 +8,8 @@ namespace arenite {
 
 /// F = 4/3 E* a^3 / R*, a = sqrt(R* overlap), for overlap > 0 (Hertz 1882; physics.md section 1).
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> hertz_response(N const& overlap, N const& effective_radius, Real effective_youngs_modulus)
+KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> hertz_response(N const& overlap, N const& effective_radius,
+                                                             Real effective_youngs_modulus)
 {
     N const radius = square_root(effective_radius * overlap);
     return {Real(4) / 3 * effective_youngs_modulus * radius * overlap, radius, 0, MaskOf<N>(true)};
@@ -18,10 +19,11 @@ struct HertzNormal {
     static constexpr bool adheres = false;
 
     template <class N>
-    KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale, PairConstants const& pair,
-                                                 MaskOf<N>&) const
+    KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale,
+                                                             PairConstants const& pair, MaskOf<N>&) const
     {
-        NormalResponse<N> response = hertz_response(larger(overlap, N(0)), scale.effective_radius, pair.effective_youngs_modulus);
+        NormalResponse<N> response =
+            hertz_response(larger(overlap, N(0)), scale.effective_radius, pair.effective_youngs_modulus);
         response.touches = overlap > N(0);
         return response;
     }

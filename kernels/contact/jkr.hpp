@@ -41,7 +41,8 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N jkr_root(N const& scaled_overla
 
 /// Force and contact radius on the stable branch; overlap may be negative down to delta_S.
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> jkr_response(N const& overlap, ContactScale<N> const& scale, PairConstants const& pair)
+KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> jkr_response(N const& overlap, ContactScale<N> const& scale,
+                                                           PairConstants const& pair)
 {
     N const cube_root = scale.cube_root_of_radius;
     N const y = jkr_root(overlap / (pair.length_factor * cube_root));
@@ -57,8 +58,8 @@ struct JkrNormal {
     static constexpr bool adheres = true;
 
     template <class N>
-    KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale, PairConstants const& pair,
-                                                 MaskOf<N>& adhering) const
+    KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale,
+                                                             PairConstants const& pair, MaskOf<N>& adhering) const
     {
         adhering = adhering && overlap >= pair.break_overlap * pair.length_factor * scale.cube_root_of_radius;
         if (pair.forms_on_touch) adhering = adhering || overlap >= N(0);

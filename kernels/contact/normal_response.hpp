@@ -9,9 +9,9 @@ namespace arenite {
 
 /// A pair's sizes, computed once when the contact list is built.
 template <class N = Real> struct ContactScale {
-    N effective_radius = 0;      // R*, m: 1/R* = 1/R_i + 1/R_j
-    N effective_mass = 0;        // m*, kg
-    N cube_root_of_radius = 0;   // R*^(1/3), which the JKR lengths need
+    N effective_radius = 0;    // R*, m: 1/R* = 1/R_i + 1/R_j
+    N effective_mass = 0;      // m*, kg
+    N cube_root_of_radius = 0; // R*^(1/3), which the JKR lengths need
 };
 
 template <class N = Real> struct NormalResponse {
@@ -19,7 +19,7 @@ template <class N = Real> struct NormalResponse {
     N contact_radius = 0; // a, m
     N pull_off_force = 0; // F_C = 3 pi gamma R*, N, positive; 0 where the contact does not adhere
     MaskOf<N> touches = MaskOf<N>(false);
-    N dashpot = 0;        // N s/m, 2 sqrt(5/6) beta sqrt(S_n m*); set by the contact law
+    N dashpot = 0; // N s/m, 2 sqrt(5/6) beta sqrt(S_n m*); set by the contact law
 };
 
 } // namespace arenite

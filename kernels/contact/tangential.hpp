@@ -3,8 +3,8 @@
 // Coulomb limit (paper eqs 4, 5, 35).
 #pragma once
 
-#include "kernels/contact/normal_response.hpp"
 #include "core/vec3.hpp"
+#include "kernels/contact/normal_response.hpp"
 
 namespace arenite {
 
@@ -14,7 +14,8 @@ template <class N> struct ContactTurn {
     N inverse;     // 1 / (1 + previous normal . normal)
 };
 
-template <class N> KOKKOS_FORCEINLINE_FUNCTION ContactTurn<N> contact_turn(Vector<N> const& previous_normal, Vector<N> const& normal)
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION ContactTurn<N> contact_turn(Vector<N> const& previous_normal, Vector<N> const& normal)
 {
     return {previous_normal + normal, 1 / (1 + dot(previous_normal, normal))};
 }
@@ -35,7 +36,8 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION Vector<N> normalized_near(Vector<
 /// that takes the previous normal to normal (exact, so the length is kept), then by the angle twist [rad] about
 /// normal. Projecting instead would shorten the spring at every step.
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION Vector<N> transport_spring(Vector<N> const& spring, ContactTurn<N> const& turn, Vector<N> const& normal, N const& twist)
+KOKKOS_FORCEINLINE_FUNCTION Vector<N> transport_spring(Vector<N> const& spring, ContactTurn<N> const& turn,
+                                                       Vector<N> const& normal, N const& twist)
 {
     Vector<N> const tilted = spring - (dot(spring, normal) * turn.inverse) * turn.sum;
     // Rotation by a small angle: cos and sin to fifth order, exact to rounding for twist < 1e-3.
@@ -44,7 +46,8 @@ KOKKOS_FORCEINLINE_FUNCTION Vector<N> transport_spring(Vector<N> const& spring, 
     return cosine * tilted + sine * cross(normal, tilted);
 }
 
-KOKKOS_FORCEINLINE_FUNCTION Vec3 transport_spring(Vec3 const& spring, Vec3 const& previous_normal, Vec3 const& normal, Real twist)
+KOKKOS_FORCEINLINE_FUNCTION Vec3 transport_spring(Vec3 const& spring, Vec3 const& previous_normal, Vec3 const& normal,
+                                                  Real twist)
 {
     return transport_spring(spring, contact_turn(previous_normal, normal), normal, twist);
 }
@@ -55,8 +58,8 @@ KOKKOS_FORCEINLINE_FUNCTION Vec3 transport_spring(Vec3 const& spring, Vec3 const
 /// (Cayley), so that a pair that turns as one body does not slip. With the new normal alone the spring of such
 /// a pair would creep in proportion to dt.
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION Vector<N> surface_velocity(Vector<N> const& approach, Vector<N> const& arm_spin, ContactTurn<N> const& turn,
-                                           Vector<N> const& normal)
+KOKKOS_FORCEINLINE_FUNCTION Vector<N> surface_velocity(Vector<N> const& approach, Vector<N> const& arm_spin,
+                                                       ContactTurn<N> const& turn, Vector<N> const& normal)
 {
     Vector<N> const relative = approach - Real(0.5) * cross(arm_spin, turn.sum);
     Vector<N> const slip = relative - (Real(0.5) * dot(relative, turn.sum) * turn.inverse) * turn.sum;
@@ -86,7 +89,8 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N stretch_factor(TangentialLaw la
 
 /// The largest tangential force [N] that the contact carries.
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION N friction_limit(PairConstants const& pair, NormalResponse<N> const& normal, N const& normal_force)
+KOKKOS_FORCEINLINE_FUNCTION N friction_limit(PairConstants const& pair, NormalResponse<N> const& normal,
+                                             N const& normal_force)
 {
     // Thornton 1991: the adhesion presses the surfaces together too. Without adhesion both forms are mu F_n.
     if (pair.friction_limit == FrictionLimit::thornton || !any(normal.pull_off_force > N(0)))
@@ -99,8 +103,8 @@ struct NoTangential {
     static constexpr bool has_history = false;
 
     template <class N>
-    KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(Vector<N> const&, NormalResponse<N> const&, N const&, PairConstants const&, Vector<N>&, N&,
-                                         Real) const
+    KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(Vector<N> const&, NormalResponse<N> const&, N const&,
+                                                     PairConstants const&, Vector<N>&, N&, Real) const
     {
         return {};
     }
@@ -112,8 +116,9 @@ struct CoulombSpring {
     static constexpr bool has_history = true;
 
     template <class N>
-    KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(Vector<N> const& slip_velocity, NormalResponse<N> const& normal, N const& normal_force,
-                                         PairConstants const& pair, Vector<N>& spring, N& previous_radius, Real dt) const
+    KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(Vector<N> const& slip_velocity, NormalResponse<N> const& normal,
+                                                     N const& normal_force, PairConstants const& pair, Vector<N>& spring,
+                                                     N& previous_radius, Real dt) const
     {
         N const stiffness = 8 * pair.effective_shear_modulus * normal.contact_radius;
         N const limit = friction_limit(pair, normal, normal_force);

@@ -12,8 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace
-{
+namespace {
 
 using namespace arenite;
 
@@ -54,10 +53,10 @@ void run(int grains, std::array<int, 3> const& cells, int repeats)
     }
     double const step = median(grain), exchange = median(deposit) + median(force), fluid_took = exchange + median(flow);
     auto const share = [&](int interval) { return fluid_took / (fluid_took + interval * step); };
-    std::fputs(fmt::format("{},{}x{}x{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.3f},{:.4f},{:.4f}\n",
-                           state.particles.count, cells[0], cells[1], cells[2], ExecutionSpace::name(),
-                           ExecutionSpace().concurrency(), 1e3 * step, 1e3 * median(deposit), 1e3 * median(force),
-                           1e3 * median(flow), exchange / step, share(100), share(50))
+    std::fputs(fmt::format("{},{}x{}x{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.3f},{:.4f},{:.4f}\n", state.particles.count,
+                           cells[0], cells[1], cells[2], ExecutionSpace::name(), ExecutionSpace().concurrency(), 1e3 * step,
+                           1e3 * median(deposit), 1e3 * median(force), 1e3 * median(flow), exchange / step, share(100),
+                           share(50))
                    .c_str(),
                stdout);
 }

@@ -21,8 +21,7 @@
 #include <cstdlib>
 #include <fstream>
 
-namespace
-{
+namespace {
 
 using namespace arenite;
 
@@ -86,8 +85,7 @@ void write_system(std::string const& folder, Flow const& flow, FlowBoundary cons
     int const iterations = std::exchange(solver.pressure_limits.iterations, 0);
     solve_pressure(flow, boundary, solver, time); // assembles, and leaves the right-hand side as the residual
     solver.pressure_limits.iterations = iterations;
-    for (int axis = 0; axis < 3; ++axis)
-        write(folder + "/conductance_" + "xyz"[axis], solver.levels[0].conductance[axis]);
+    for (int axis = 0; axis < 3; ++axis) write(folder + "/conductance_" + "xyz"[axis], solver.levels[0].conductance[axis]);
     write(folder + "/right_hand_side", solver.pressure_system.residual);
 }
 
@@ -109,7 +107,8 @@ void run(int cells, int repeats, std::string const& folder)
     FlowReport report;
     double const whole = median_seconds(repeats, [&] { report = advance_flow(flow, boundary, solver, step); });
     TimeDerivative const time = time_derivative(solver, step);
-    predict_velocity(flow, boundary, solver, time); // leaves what a step's pressure has to correct; a solve does not change it
+    predict_velocity(flow, boundary, solver,
+                     time); // leaves what a step's pressure has to correct; a solve does not change it
     KrylovReport pressure;
     double const solve = median_seconds(repeats, [&] { pressure = solve_pressure(flow, boundary, solver, time); });
     if (!folder.empty()) write_system(folder, flow, boundary, solver, time);

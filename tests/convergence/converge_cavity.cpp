@@ -10,17 +10,13 @@
 
 using namespace arenite;
 
-namespace
-{
+namespace {
 
 constexpr Real gate = 1e-3; // of an extrapolated extremum
 
 /// A quantity of second order on two grids, the second `ratio` times as fine: what it is without that part of the error
 /// (Richardson).
-Real extrapolate(Real coarse, Real fine, Real ratio)
-{
-    return (ratio * ratio * fine - coarse) / (ratio * ratio - 1);
-}
+Real extrapolate(Real coarse, Real fine, Real ratio) { return (ratio * ratio * fine - coarse) / (ratio * ratio - 1); }
 
 /// Twice so, each grid twice as fine as the one before: without the third-order part either.
 Real extrapolate_twice(Real coarse, Real middle, Real fine)
@@ -39,8 +35,8 @@ std::vector<Cavity> check(Real reynolds, std::vector<int> const& cells, std::arr
     constexpr Real still = 1e-6;
     std::vector<Cavity> const cavities = steady_cavities(reynolds, cells, still);
     for (std::size_t grid = 0; grid < cells.size(); ++grid) {
-        std::printf("Re %g, %d^2: steady to %.1e after %d units of time\n", reynolds, cells[grid],
-                    cavities[grid].change, cavities[grid].duration);
+        std::printf("Re %g, %d^2: steady to %.1e after %d units of time\n", reynolds, cells[grid], cavities[grid].change,
+                    cavities[grid].duration);
         EXPECT_TRUE(cavities[grid].converged);
         EXPECT_LT(cavities[grid].change, still);
     }
@@ -66,8 +62,8 @@ Cavity check_gates(Real reynolds, std::array<Real, 3> const& extrema, std::vecto
     std::array<Real, 3> const coarse = c[0].extrema(), middle = c[1].extrema(), fine = c[2].extrema();
     for (int e = 0; e < 3; ++e) {
         Real const error = relative_error(extrapolate_twice(coarse[e], middle[e], fine[e]), extrema[e]);
-        std::printf("Re %g, %s: %.6f on 32^2; extrapolated from three grids off by %.3f %%\n", reynolds,
-                    extremum_names[e], coarse[e], 100 * error);
+        std::printf("Re %g, %s: %.6f on 32^2; extrapolated from three grids off by %.3f %%\n", reynolds, extremum_names[e],
+                    coarse[e], 100 * error);
         EXPECT_LT(error, gate);
     }
     return c[2];
@@ -105,7 +101,8 @@ TEST(CavityGates, Re400)
     check_points("v, Ghia", fine.v, ghia_v_400, 0.01);
 }
 
-// The boundary layers are thinner, the third-order part is larger: extrapolated from 64^2 and 128^2 extrema are off by 0.109 %.
+// The boundary layers are thinner, the third-order part is larger: extrapolated from 64^2 and 128^2 extrema are
+// off by 0.109 %.
 TEST(CavityGates, Re1000)
 {
     Cavity const fine = check_gates(1000, spectral_extrema_1000, {160});

@@ -6,8 +6,7 @@
 
 using namespace arenite;
 
-namespace
-{
+namespace {
 
 int iterations_of(PressureProblem const& problem)
 {
@@ -48,9 +47,8 @@ TEST(PressureSolver, RandomBlocksConverge)
 TEST(PressureSolver, AnyNumberOfCells)
 {
     for (Ends const ends : {Ends::closed, Ends::open_top, Ends::periodic})
-        for (auto const cells :
-             {std::array{12, 12, 6}, std::array{13, 7, 5}, std::array{1, 1, 40}, std::array{33, 1, 17},
-              std::array{3, 3, 3}, std::array{2, 1, 1}, std::array{1, 1, 1}}) {
+        for (auto const cells : {std::array{12, 12, 6}, std::array{13, 7, 5}, std::array{1, 1, 40}, std::array{33, 1, 17},
+                                 std::array{3, 3, 3}, std::array{2, 1, 1}, std::array{1, 1, 1}}) {
             int const count = iterations_of({cells, ends, uniform_mobility()});
             printf("%d x %d x %d, ends %d: %d\n", cells[0], cells[1], cells[2], int(ends), count);
             EXPECT_LE(count, 20);

@@ -11,10 +11,8 @@
 #include <string>
 #include <unistd.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 std::vector<Grain> random_grains(Region const& box, int count)
 {

@@ -12,8 +12,7 @@
 
 using namespace arenite;
 
-namespace
-{
+namespace {
 
 FluidCase make_hashed_case(bool with_grains)
 {
@@ -94,10 +93,7 @@ struct Save {
 
 struct Load {
     Saved const& saved;
-    void operator()(std::string const& name, FieldView& field) const
-    {
-        Kokkos::deep_copy(field, saved.fields.at(name));
-    }
+    void operator()(std::string const& name, FieldView& field) const { Kokkos::deep_copy(field, saved.fields.at(name)); }
     void operator()(std::string const& name, Real& number) const { number = saved.numbers.at(name); }
 };
 

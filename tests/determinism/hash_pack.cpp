@@ -6,8 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace
-{
+namespace {
 
 arenite::SystemSettings pack_of(bool periodic)
 {
@@ -22,8 +21,8 @@ arenite::SystemSettings pack_of(bool periodic)
     arenite::SystemSettings settings;
     settings.grains = arenite::random_pack(pack);
     settings.materials = {arenite::with(arenite::sand(), 0.8, 0.3)};
-    settings.contact = arenite::contact_settings(arenite::NormalLaw::jkr, arenite::DampingLaw::restitution,
-                                                 arenite::TangentialLaw::secant);
+    settings.contact =
+        arenite::contact_settings(arenite::NormalLaw::jkr, arenite::DampingLaw::restitution, arenite::TangentialLaw::secant);
     settings.box.upper = {pack.box, pack.box, pack.box};
     for (bool& axis : settings.box.periodic) axis = periodic;
     settings.skin = 2e-5;

@@ -10,10 +10,8 @@
 
 #include <cstring>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 namespace fs = std::filesystem;
 

@@ -95,7 +95,10 @@ std::vector<Bytes> read_corpus(std::vector<std::string> const& folders)
 
 class Mutator {
 public:
-    Mutator(std::vector<Bytes> const& corpus, Options const& options) : corpus_(corpus), options_(options), random_(options.seed) {}
+    Mutator(std::vector<Bytes> const& corpus, Options const& options)
+        : corpus_(corpus), options_(options), random_(options.seed)
+    {
+    }
 
     Bytes next()
     {
@@ -138,13 +141,15 @@ private:
         case 6: { // a piece of another file
             Bytes const& other = corpus_[below(corpus_.size())];
             std::size_t const from = below(other.size() + 1), length = std::min(other.size() - from, 1 + below(256));
-            bytes.insert(begin, other.begin() + static_cast<std::ptrdiff_t>(from), other.begin() + static_cast<std::ptrdiff_t>(from + length));
+            bytes.insert(begin, other.begin() + static_cast<std::ptrdiff_t>(from),
+                         other.begin() + static_cast<std::ptrdiff_t>(from + length));
             return;
         }
         case 7: { // a word that means something to some reader
-            static char const* const words[] = {"nan",   "inf", "-1", "1e308", "1e999", "9223372036854775807", "-0",   "\"",
-                                                "[[",    "]]",  "{",  "}",     "\n",    ",",                   "solid", "facet",
-                                                "#set ", "=",   ".",  "\r\n",  "true",  "\"\"\"",              "2147483648", "0"};
+            static char const* const words[] = {"nan", "inf",  "-1",    "1e308",  "1e999",      "9223372036854775807",
+                                                "-0",  "\"",   "[[",    "]]",     "{",          "}",
+                                                "\n",  ",",    "solid", "facet",  "#set ",      "=",
+                                                ".",   "\r\n", "true",  "\"\"\"", "2147483648", "0"};
             char const* const word = words[below(std::size(words))];
             bytes.insert(begin, word, word + std::strlen(word));
             return;

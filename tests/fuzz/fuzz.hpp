@@ -13,10 +13,10 @@
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size);
 
 /// What a reader has accepted must keep what it promises.
-#define FUZZ_REQUIRE(condition)                                                                                        \
-    do {                                                                                                               \
-        if (!(condition)) {                                                                                            \
-            std::fprintf(stderr, "%s:%d: does not hold: %s\n", __FILE__, __LINE__, #condition);                        \
-            std::abort();                                                                                              \
-        }                                                                                                              \
+#define FUZZ_REQUIRE(condition)                                                                                             \
+    do {                                                                                                                    \
+        if (!(condition)) {                                                                                                 \
+            std::fprintf(stderr, "%s:%d: does not hold: %s\n", __FILE__, __LINE__, #condition);                             \
+            std::abort();                                                                                                   \
+        }                                                                                                                   \
     } while (false)

@@ -20,7 +20,8 @@ void check(GrainTable const& table, int materials)
     std::set<GrainId> ids;
     for (Grain const& grain : table.grains) {
         FUZZ_REQUIRE(grain.diameter > 0 && std::isfinite(grain.diameter));
-        FUZZ_REQUIRE(is_finite(grain.position) && is_finite(grain.velocity) && is_finite(grain.spin) && is_finite(grain.applied_force));
+        FUZZ_REQUIRE(is_finite(grain.position) && is_finite(grain.velocity) && is_finite(grain.spin) &&
+                     is_finite(grain.applied_force));
         FUZZ_REQUIRE(grain.material >= 0 && grain.material < materials);
         FUZZ_REQUIRE(grain.size_class >= 0 && grain.size_class <= 32767); // what a View of them holds
         FUZZ_REQUIRE(grain.id < 0 || ids.insert(grain.id).second);

@@ -11,7 +11,8 @@ using namespace arenite;
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     try {
-        std::vector<Triangle> const triangles = parse_stl(std::string(reinterpret_cast<char const*>(data), size), "fuzzed.stl");
+        std::vector<Triangle> const triangles =
+            parse_stl(std::string(reinterpret_cast<char const*>(data), size), "fuzzed.stl");
         FUZZ_REQUIRE(!triangles.empty());
         for (Triangle const& triangle : triangles)
             for (Vec3 const& corner : triangle.corner)

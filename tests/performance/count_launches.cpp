@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace
-{
+namespace {
 
 namespace Tools = Kokkos::Tools::Experimental;
 using arenite::RunOptions;
@@ -77,8 +76,8 @@ void launch_and_wait(char const* name, std::uint32_t device, std::uint64_t* id)
     launch(name, device, id);
     ++listener.step.waits;
 }
-void begin_copy(Kokkos::Tools::SpaceHandle, char const*, void const*, Kokkos::Tools::SpaceHandle, char const*,
-                void const*, std::uint64_t)
+void begin_copy(Kokkos::Tools::SpaceHandle, char const*, void const*, Kokkos::Tools::SpaceHandle, char const*, void const*,
+                std::uint64_t)
 {
     ++listener.step.waits;
     ++listener.copies;

@@ -25,7 +25,8 @@ TEST(BadScenes, LeaveTheOutputFolderAlone)
     test::ScratchFolder const scratch;
     fs::path const earlier = scratch / "earlier";
     fs::create_directory(earlier);
-    for (char const* name : {"history.csv", "produced.csv", "summary.json", "scene.toml", "checkpoint-000000001.h5", "particles.pvd"})
+    for (char const* name :
+         {"history.csv", "produced.csv", "summary.json", "scene.toml", "checkpoint-000000001.h5", "particles.pvd"})
         test::put(earlier / name, std::string("what was in ") + name);
     auto const before = contents(earlier);
 

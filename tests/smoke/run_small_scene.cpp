@@ -73,7 +73,8 @@ template <class Type> void expect_same_array(CheckpointReader const& a, Checkpoi
     a.view(name, left);
     b.view(name, right);
     ASSERT_EQ(left.span(), right.span()) << name;
-    auto const l = Kokkos::create_mirror_view_and_copy(HostSpace(), left), r = Kokkos::create_mirror_view_and_copy(HostSpace(), right);
+    auto const l = Kokkos::create_mirror_view_and_copy(HostSpace(), left),
+               r = Kokkos::create_mirror_view_and_copy(HostSpace(), right);
     EXPECT_EQ(std::memcmp(l.data(), r.data(), l.span() * sizeof(typename Type::value_type)), 0) << name << " differs";
 }
 
@@ -149,7 +150,8 @@ TEST(SmallScene, StagesTakeTheStepsThatCheckExpects)
         EXPECT_FALSE(expected.is_bound);
         double const steps = stage_of(planned.label)["steps"].get<double>();
         // A stage whose length is given ends within the hundred steps between two looks; the others are experience.
-        if (planned.part == CompressionPart::none || planned.part == CompressionPart::densify) EXPECT_NEAR(steps, expected.count, 100);
+        if (planned.part == CompressionPart::none || planned.part == CompressionPart::densify)
+            EXPECT_NEAR(steps, expected.count, 100);
         else EXPECT_NEAR(std::log(steps / expected.count), 0, std::log(4));
     }
 }

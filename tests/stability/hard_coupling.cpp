@@ -11,7 +11,8 @@ namespace {
 using namespace arenite;
 using namespace arenite::test;
 
-std::string const soft_sand = "[materials.sand]\ndensity = 2605\nyoungs_modulus = 1e7\npoissons_ratio = 0.3\nrestitution = 0.8\nfriction = 0.2\n";
+std::string const soft_sand = "[materials.sand]\ndensity = 2605\nyoungs_modulus = 1e7\npoissons_ratio = 0.3\nrestitution = "
+                              "0.8\nfriction = 0.2\n";
 
 std::string periodic_sides()
 {
@@ -25,8 +26,9 @@ std::string column(std::string const& fluid, bool gravity = true)
 {
     return std::string("[domain]\nlower = [0, 0, 0]\nupper = [6e-3, 6e-3, 24e-3]\nperiodic = [true, true, false]\n") +
            (gravity ? "gravity = [0, 0, -9.81]\n" : "") + soft_sand + grains_from_file +
-           "[[walls]]\nname = \"floor\"\ntype = \"plane\"\nmaterial = \"sand\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n[fluid]\n" + fluid +
-           periodic_sides() + "[[fluid.patches]]\nface = \"z_upper\"\ntype = \"pressure\"\npressure = 101325\n";
+           "[[walls]]\nname = \"floor\"\ntype = \"plane\"\nmaterial = \"sand\"\npoint = [0, 0, 0]\nnormal = [0, 0, "
+           "1]\n[fluid]\n" +
+           fluid + periodic_sides() + "[[fluid.patches]]\nface = \"z_upper\"\ntype = \"pressure\"\npressure = 101325\n";
 }
 
 std::string stage(std::string const& duration, std::string const& step)
@@ -46,14 +48,17 @@ TEST(Stability, FluidStepOfAThousandDragTimes)
     for (int const interval : {7, 65, 650, 6500}) { // of 2e-6 s
         SCOPED_TRACE(interval);
         HardRun const run = run_hard(
-            column("cells = [6, 6, 24]\nviscosity = 1.0\ndrag = \"stokes\"\nsmoothing_length = 3e-3\ncoupling_interval = " + std::to_string(interval) + "\n") +
-                stage(interval == 6500 ? "0.13" : "0.0234", "2e-6") + "history_interval = 1.3e-3\nprobes = [ { name = \"grain\", grain = 0 } ]\n",
+            column("cells = [6, 6, 24]\nviscosity = 1.0\ndrag = \"stokes\"\nsmoothing_length = 3e-3\ncoupling_interval = " +
+                   std::to_string(interval) + "\n") +
+                stage(interval == 6500 ? "0.13" : "0.0234", "2e-6") +
+                "history_interval = 1.3e-3\nprobes = [ { name = \"grain\", grain = 0 } ]\n",
             "x, y, z, diameter\n3e-3, 3e-3, 20e-3, 0.3e-3\n");
         ASSERT_EQ(run.exit_code, 0) << run.messages;
         double fastest = 0; // after four fluid steps
         for (Row const& row : run.history)
             if (number(row, "step") > 4 * interval) fastest = std::fmax(fastest, number(row, "kinetic_energy"));
-        double const mass = density * 3.14159265358979 / 6 * d * d * d, speed = std::sqrt(2 * number(run.end(), "kinetic_energy") / mass);
+        double const mass = density * 3.14159265358979 / 6 * d * d * d,
+                     speed = std::sqrt(2 * number(run.end(), "kinetic_energy") / mass);
         EXPECT_NEAR(speed / terminal, 1, 0.02) << run.messages; // it drags some syrup along
         EXPECT_NE(run.messages.find("not resolved"), std::string::npos);
         EXPECT_LT(std::sqrt(2 * fastest / mass), 1.1 * terminal); // it does not overshoot
@@ -68,7 +73,8 @@ std::string cloud(int n, double x0, double z0, std::string const& velocity)
     for (int k = 0; k < n; ++k)
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
-                csv << x0 + 0.33e-3 * i << ", " << x0 + 0.33e-3 * j << ", " << z0 + 0.33e-3 * k << ", 0.3e-3, " << velocity << "\n";
+                csv << x0 + 0.33e-3 * i << ", " << x0 + 0.33e-3 * j << ", " << z0 + 0.33e-3 * k << ", 0.3e-3, " << velocity
+                    << "\n";
     return csv.str();
 }
 
@@ -78,9 +84,7 @@ void expect_fluid_closes(HardRun const& run)
     ASSERT_EQ(run.exit_code, 0) << run.messages;
     for (Row const& row : run.history) {
         for (auto const& [name, cell] : row)
-            if (name != "stage" && !cell.empty()) {
-                ASSERT_TRUE(std::isfinite(std::stod(cell))) << name;
-            }
+            if (name != "stage" && !cell.empty()) { ASSERT_TRUE(std::isfinite(std::stod(cell))) << name; }
         EXPECT_LT(number(row, "continuity_error"), 1e-8) << "at step " << row.at("step"); // pressure_tolerance
     }
     EXPECT_EQ(run.messages.find("pressure solve stopped"), std::string::npos) << run.messages;
@@ -97,23 +101,23 @@ TEST(Stability, CellsFullerThanFull)
         std::ostringstream scene, csv;
         scene.precision(17), csv.precision(17);
         scene << "[domain]\nlower = [0, 0, 0]\nupper = [" << 6 * h << ", " << 6 * h << ", " << 24 * h << "]\n"
-              << "periodic = [true, true, false]\n" << soft_sand << grains_from_file
-              << "[[groups]]\nname = \"all\"\nids = [0, 1, 2, 3]\nvelocity = [0, 0, -0.5]\n"
+              << "periodic = [true, true, false]\n"
+              << soft_sand << grains_from_file << "[[groups]]\nname = \"all\"\nids = [0, 1, 2, 3]\nvelocity = [0, 0, -0.5]\n"
               << "[fluid]\ncells = [6, 6, 24]\ncoupling_interval = 20\npressure_tolerance = 1e-13\n"
               << "smoothing_length = " << 1e-3 * h << "\n"
               << periodic_sides() << "[[fluid.patches]]\nface = \"z_upper\"\ntype = \"pressure\"\npressure = 0\n"
               << stage("1e-3", "1e-6") << "history_interval = 1e-4\n"; // 0.5 mm: two or three cells
         csv << "x, y, z, diameter, id\n";
         for (int id = 0; id < 4; ++id)
-            csv << (0.5 + 3 * (id % 2)) * h << ", " << (0.5 + 3 * (id / 2)) * h << ", " << 20.5 * h << ", 0.3e-3, "
-                << id << "\n";
+            csv << (0.5 + 3 * (id % 2)) * h << ", " << (0.5 + 3 * (id / 2)) * h << ", " << 20.5 * h << ", 0.3e-3, " << id
+                << "\n";
         HardRun const run = run_hard(scene.str(), csv.str());
         expect_fluid_closes(run);
         for (Row const& row : run.history) EXPECT_LT(number(row, "continuity_error"), 1e-12) << "at step " << row.at("step");
         char hidden[80]; // minimum_porosity is 0.2
         std::snprintf(hidden, sizeof hidden, "%.3g m3 of grains are unseen", 4 * (volume - 0.8 * h * h * h));
-        for (std::string const& told : {std::string("step 20: 4 cells held more grains than the minimum porosity allows"),
-                                        std::string(hidden)})
+        for (std::string const& told :
+             {std::string("step 20: 4 cells held more grains than the minimum porosity allows"), std::string(hidden)})
             EXPECT_NE(run.messages.find(told), std::string::npos) << told << "\n" << run.messages;
     }
 }
@@ -181,7 +185,9 @@ TEST(Stability, GrainsFasterThanACellPerFluidStep)
     double const works = number(run.end(), "work_drag") + number(run.end(), "work_pressure");
     double const lost = number(run.history.front(), "kinetic_energy") - number(run.end(), "kinetic_energy");
     EXPECT_GT(lost, 0);
-    EXPECT_NEAR(-works, lost - number(run.end(), "loss_damping") - number(run.end(), "loss_tangential") - number(run.end(), "elastic_energy"),
+    EXPECT_NEAR(-works,
+                lost - number(run.end(), "loss_damping") - number(run.end(), "loss_tangential") -
+                    number(run.end(), "elastic_energy"),
                 0.01 * lost);
 }
 
@@ -192,11 +198,13 @@ TEST(Stability, CellsFinerThanAGrain)
     for (int const cells : {4, 8, 16}) { // along 1.2 mm: 1, 0.5 and 0.25 diameters
         SCOPED_TRACE(cells);
         std::string const n = std::to_string(cells);
-        std::string const scene =
-            "[domain]\nlower = [0, 0, 0]\nupper = [1.2e-3, 1.2e-3, 2.4e-3]\nperiodic = [true, true, false]\ngravity = [0, 0, -9.81]\n" + soft_sand +
-            grains_from_file + "[fluid]\ncells = [" + n + ", " + n + ", " + std::to_string(2 * cells) +
-            "]\ncoupling_interval = 10\nsmoothing_length = 0.9e-3\n" + periodic_sides() +
-            "[[fluid.patches]]\nface = \"z_upper\"\ntype = \"pressure\"\npressure = 0\n" + stage("0.004", "5e-6") + "history_interval = 1e-3\n";
+        std::string const scene = "[domain]\nlower = [0, 0, 0]\nupper = [1.2e-3, 1.2e-3, 2.4e-3]\nperiodic = [true, true, "
+                                  "false]\ngravity = [0, 0, -9.81]\n" +
+                                  soft_sand + grains_from_file + "[fluid]\ncells = [" + n + ", " + n + ", " +
+                                  std::to_string(2 * cells) + "]\ncoupling_interval = 10\nsmoothing_length = 0.9e-3\n" +
+                                  periodic_sides() +
+                                  "[[fluid.patches]]\nface = \"z_upper\"\ntype = \"pressure\"\npressure = 0\n" +
+                                  stage("0.004", "5e-6") + "history_interval = 1e-3\n";
         HardRun const run = run_hard(scene, "x, y, z, diameter\n0.6e-3, 0.6e-3, 1.8e-3, 0.3e-3\n");
         expect_fluid_closes(run);
         double const energy = number(run.end(), "kinetic_energy");
@@ -209,8 +217,9 @@ TEST(Stability, CellsFinerThanAGrain)
 // H15: a fluid of one cell; a grain in it.
 TEST(Stability, OneCell)
 {
-    std::string const scene = "[domain]\nlower = [0, 0, 0]\nupper = [2e-3, 2e-3, 2e-3]\ngravity = [0, 0, -9.81]\n" + soft_sand + grains_from_file +
-                              "[fluid]\ncells = [1, 1, 1]\ncoupling_interval = 10\n" + stage("1e-3", "5e-6");
+    std::string const scene = "[domain]\nlower = [0, 0, 0]\nupper = [2e-3, 2e-3, 2e-3]\ngravity = [0, 0, -9.81]\n" +
+                              soft_sand + grains_from_file + "[fluid]\ncells = [1, 1, 1]\ncoupling_interval = 10\n" +
+                              stage("1e-3", "5e-6");
     expect_fluid_closes(run_hard(scene, "x, y, z, diameter\n1e-3, 1e-3, 1e-3, 0.3e-3\n"));
 }
 
@@ -225,8 +234,10 @@ TEST(Stability, StillWaterOverAStillBed)
     csv.precision(17);
     csv << "x, y, z, diameter\n";
     for (int j = 0; j < 15; ++j)
-        for (int i = 0; i < 15; ++i) csv << 0.2e-3 + 0.4e-3 * i << ", " << 0.2e-3 + 0.4e-3 * j << ", " << d / 2 - overlap << ", 0.3e-3\n";
-    HardRun const run = run_hard(column(fluid) + stage("0.2", "5e-6") + "history_interval = 0.01\n", csv.str()); // 40 000 steps
+        for (int i = 0; i < 15; ++i)
+            csv << 0.2e-3 + 0.4e-3 * i << ", " << 0.2e-3 + 0.4e-3 * j << ", " << d / 2 - overlap << ", 0.3e-3\n";
+    HardRun const run = run_hard(column(fluid) + stage("0.2", "5e-6") + "history_interval = 0.01\n",
+                                 csv.str()); // 40 000 steps
     expect_fluid_closes(run);
     double const volume = number(run.end(), "fluid_volume"), mass = density * 3.14159265358979 / 6 * d * d * d;
     EXPECT_LT(std::sqrt(2 * number(run.end(), "fluid_energy") / (water * volume)), 1e-9); // m/s, root mean square

@@ -41,12 +41,14 @@ std::string const balanced = "[output]\nenergies = true\n";
 TEST(Stability, MassRatioOfAThousand)
 {
     auto const size = [](int id) { return id % 2 == 0 ? 0.5e-3 : 0.05e-3; };
-    HardRun const run = run_hard(box_of(5.4e-3, true) + sand_of("restitution = 1\nfriction = 0") + grains_from_file +
-                                     stage_of("4e-4", "time_step_fraction = 0.05", "law = \"hertz\", damping = \"none\", tangential = \"none\"") +
-                                     balanced,
-                                 lattice(10, 0.54e-3, 0, 1.0, size));
+    HardRun const run = run_hard(
+        box_of(5.4e-3, true) + sand_of("restitution = 1\nfriction = 0") + grains_from_file +
+            stage_of("4e-4", "time_step_fraction = 0.05", "law = \"hertz\", damping = \"none\", tangential = \"none\"") +
+            balanced,
+        lattice(10, 0.54e-3, 0, 1.0, size));
     expect_sound(run, 1e-4);
-    EXPECT_NEAR(number(run.end(), "momentum_x"), number(run.history.front(), "momentum_x"), 1e-12 * 1e-4); // kg m/s of some 1e-4
+    EXPECT_NEAR(number(run.end(), "momentum_x"), number(run.history.front(), "momentum_x"),
+                1e-12 * 1e-4); // kg m/s of some 1e-4
     EXPECT_LE(std::fabs(number(run.end(), "loss_damping")), 1e-12 * number(run.end(), "kinetic_energy")); // none
 }
 
@@ -56,11 +58,14 @@ TEST(Stability, StiffnessRatioOfTenThousand)
     std::string csv = lattice(8, 0.24e-3, 0.23e-3, 0.5), mixed;
     std::istringstream lines(csv);
     int n = 0;
-    for (std::string line; std::getline(lines, line); ++n) mixed += line + (n == 0 ? ", material" : (n % 2 ? ", sand" : ", rubber")) + "\n";
-    HardRun const run = run_hard(box_of(8 * 0.24e-3, true) + sand_of("restitution = 0.8\nfriction = 0.2") +
-                                     "[materials.rubber]\ndensity = 1000\nyoungs_modulus = 2e6\npoissons_ratio = 0.45\nrestitution = 0.8\nfriction = 0.2\n" +
-                                     grains_from_file + stage_of("4e-4", "time_step_fraction = 0.1", "law = \"hertz\"") + balanced,
-                                 mixed);
+    for (std::string line; std::getline(lines, line); ++n)
+        mixed += line + (n == 0 ? ", material" : (n % 2 ? ", sand" : ", rubber")) + "\n";
+    HardRun const run =
+        run_hard(box_of(8 * 0.24e-3, true) + sand_of("restitution = 0.8\nfriction = 0.2") +
+                     "[materials.rubber]\ndensity = 1000\nyoungs_modulus = 2e6\npoissons_ratio = "
+                     "0.45\nrestitution = 0.8\nfriction = 0.2\n" +
+                     grains_from_file + stage_of("4e-4", "time_step_fraction = 0.1", "law = \"hertz\"") + balanced,
+                 mixed);
     expect_sound(run, 1e-3);
 }
 
@@ -70,14 +75,16 @@ TEST(Stability, GrainsThatStartInsideEachOther)
     for (double const overlap : {0.05, 0.2, 0.5}) {
         SCOPED_TRACE(overlap);
         double const d = 0.23e-3;
-        HardRun const run = run_hard("[domain]\nlower = [-0.05, -0.05, -0.05]\nupper = [0.05, 0.05, 0.05]\n" + sand_of("restitution = 0.8\nfriction = 0.2") +
-                                         grains_from_file + stage_of("2e-5", "time_step_fraction = 0.02", "law = \"hertz\"") + balanced,
+        HardRun const run = run_hard("[domain]\nlower = [-0.05, -0.05, -0.05]\nupper = [0.05, 0.05, 0.05]\n" +
+                                         sand_of("restitution = 0.8\nfriction = 0.2") + grains_from_file +
+                                         stage_of("2e-5", "time_step_fraction = 0.02", "law = \"hertz\"") + balanced,
                                      lattice(3, (1 - overlap) * d, d, 0));
         expect_sound(run, 1e-3);
         EXPECT_EQ(number(run.end(), "contacts"), 0);
         EXPECT_NEAR(std::stod(run.history.front().at("max_overlap_ratio")), 2 * overlap, 1e-9);
         EXPECT_EQ(run.messages.find("beyond what the contact laws hold for") != std::string::npos,
-                  std::stod(run.history.front().at("max_overlap_ratio")) > 0.1) << run.messages;
+                  std::stod(run.history.front().at("max_overlap_ratio")) > 0.1)
+            << run.messages;
     }
 }
 
@@ -91,8 +98,9 @@ TEST(Stability, FastPlateIntoABondedBlock)
         HardRun const run = run_hard(
             "[domain]\nlower = [-0.02, -0.02, -0.05]\nupper = [0.02, 0.02, 0.02]\n" +
                 sand_of("restitution = 0.8\nfriction = 0.2\nsurface_energy = 30") + grains_from_file +
-                "[[walls]]\nname = \"plate\"\ntype = \"plane\"\nmaterial = \"sand\"\npoint = [0, 0, " + std::to_string(5.05 * d) +
-                "]\nnormal = [0, 0, -1]\n" + stage_of("2e-5", "time_step = 5e-9", "law = \"modified_jkr\"") +
+                "[[walls]]\nname = \"plate\"\ntype = \"plane\"\nmaterial = \"sand\"\npoint = [0, 0, " +
+                std::to_string(5.05 * d) + "]\nnormal = [0, 0, -1]\n" +
+                stage_of("2e-5", "time_step = 5e-9", "law = \"modified_jkr\"") +
                 "[[stages.walls]]\nwall = \"plate\"\nvelocity = " + velocity + "\n" + balanced + "history_interval = 5e-9\n",
             lattice(5, pitch, d, 0));
         expect_sound(run, 5e-3);
@@ -102,18 +110,17 @@ TEST(Stability, FastPlateIntoABondedBlock)
         double const momentum = number(run.end(), "momentum_z");
         EXPECT_LT(momentum, 0);
         EXPECT_NEAR(-impulse / momentum, 1, 1e-9); // force_plate is on the plate
-        if (speed > 9) {
-            EXPECT_LT(number(run.end(), "bonds"), number(run.history.front(), "bonds"));
-        }
+        if (speed > 9) { EXPECT_LT(number(run.end(), "bonds"), number(run.history.front(), "bonds")); }
     }
 }
 
 // H10: a gas of grains for which adhesion is everything: they stick, and their clusters keep the momentum.
 TEST(Stability, StickyGasKeepsItsMomentum)
 {
-    HardRun const run = run_hard(box_of(8 * 0.4e-3, true) + sand_of("restitution = 0.8\nfriction = 0.2\nsurface_energy = 300") +
-                                     grains_from_file + stage_of("2e-3", "time_step_fraction = 0.1", "law = \"jkr\"") + balanced,
-                                 lattice(8, 0.4e-3, 0.23e-3, 0.5));
+    HardRun const run =
+        run_hard(box_of(8 * 0.4e-3, true) + sand_of("restitution = 0.8\nfriction = 0.2\nsurface_energy = 300") +
+                     grains_from_file + stage_of("2e-3", "time_step_fraction = 0.1", "law = \"jkr\"") + balanced,
+                 lattice(8, 0.4e-3, 0.23e-3, 0.5));
     expect_sound(run, 5e-3);
     EXPECT_GT(number(run.end(), "bonds"), 100);
     for (char const* name : {"momentum_x", "momentum_y", "momentum_z"}) // 512 grains of 1.7e-8 kg at some 0.3 m/s
@@ -141,11 +148,13 @@ TEST(Stability, TenThousandBondsBreakInOneStep)
     double const d = 0.23e-3, pitch = d - 0.2332409e-6, edge = n * pitch;
     std::ostringstream domain;
     domain.precision(17);
-    domain << "[domain]\nlower = [0, 0, 0]\nupper = [" << edge << ", " << edge << ", " << edge << "]\nperiodic = [true, true, true]\n";
-    std::string const scene = domain.str() + sand_of("restitution = 0.8\nfriction = 0.2\nsurface_energy = 30") + grains_from_file +
-                              stage_of("2.0e-6", "time_step = 1e-8", "law = \"modified_jkr\"") +
+    domain << "[domain]\nlower = [0, 0, 0]\nupper = [" << edge << ", " << edge << ", " << edge
+           << "]\nperiodic = [true, true, true]\n";
+    std::string const scene = domain.str() + sand_of("restitution = 0.8\nfriction = 0.2\nsurface_energy = 30") +
+                              grains_from_file + stage_of("2.0e-6", "time_step = 1e-8", "law = \"modified_jkr\"") +
                               "box = { z = { strain_rate = 1000 } }\n" + balanced + "history_interval = 1e-8\n";
-    HardRun const forth = run_hard(scene, numbered_lattice(n, pitch, d, false)), back = run_hard(scene, numbered_lattice(n, pitch, d, true));
+    HardRun const forth = run_hard(scene, numbered_lattice(n, pitch, d, false)),
+                  back = run_hard(scene, numbered_lattice(n, pitch, d, true));
     expect_sound(forth, 1e-2);
     std::size_t broke = 0;
     for (std::size_t row = 1; row < forth.history.size(); ++row)
@@ -155,21 +164,24 @@ TEST(Stability, TenThousandBondsBreakInOneStep)
         }
     EXPECT_EQ(broke, 1u) << "all bonds along z break in one step";
     ASSERT_EQ(forth.history.size(), back.history.size());
-    for (std::size_t row = 0; row < forth.history.size(); ++row) EXPECT_EQ(forth.history[row], back.history[row]) << "row " << row;
+    for (std::size_t row = 0; row < forth.history.size(); ++row)
+        EXPECT_EQ(forth.history[row], back.history[row]) << "row " << row;
     // Released = taken up: the potential that a bond at C held, -1.368 pi gamma R* L each, stands in the sheet.
     double const radius = 0.0575e-3, modulus = 2e10 / (2 * (1 - 0.09)), pi = 3.14159265358979;
     double const unit = pi * 30 * radius * std::cbrt(pi * pi * 900 * radius / (modulus * modulus));
     auto const potential = [](double s) { return 8. / 15 * std::pow(s, 5) - 8. / 3 * std::pow(s, 3.5) + 2 * s * s; };
-    EXPECT_NEAR(number(forth.end(), "loss_adhesion") / (count * potential(std::cbrt(2.25)) * unit), 1, 0.02); // one step beyond C
+    EXPECT_NEAR(number(forth.end(), "loss_adhesion") / (count * potential(std::cbrt(2.25)) * unit), 1,
+                0.02); // one step beyond C
 }
 
 // H13: a force that is no number stops the run with one message; what was saved stays.
 TEST(Stability, ForceBeyondAllNumbersStopsTheRun)
 {
-    std::string const scene = box_of(0.01, false) + sand_of("restitution = 0.8\nfriction = 0.2") + grains_from_file +
-                              "[[groups]]\nname = \"pushed\"\nids = [7]\nforce = [1e200, 0, 0]\nstages = [\"second\"]\n" +
-                              "[[stages]]\nname = \"first\"\nduration = 1e-6\ntime_step = 1e-8\n[[stages]]\nname = \"second\"\nduration = "
-                              "1e-6\ntime_step = 1e-8\n";
+    std::string const scene =
+        box_of(0.01, false) + sand_of("restitution = 0.8\nfriction = 0.2") + grains_from_file +
+        "[[groups]]\nname = \"pushed\"\nids = [7]\nforce = [1e200, 0, 0]\nstages = [\"second\"]\n" +
+        "[[stages]]\nname = \"first\"\nduration = 1e-6\ntime_step = 1e-8\n[[stages]]\nname = \"second\"\nduration = "
+        "1e-6\ntime_step = 1e-8\n";
     HardRun const run = run_hard(scene, lattice(3, 0.3e-3, 0.23e-3, 0));
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_NE(run.messages.find("grain 7"), std::string::npos) << run.messages;
@@ -183,13 +195,16 @@ TEST(Stability, ForceBeyondAllNumbersStopsTheRun)
 // H14: two bonded grains fall through a hole: each is counted once, and the mass that is missing is in the ledger.
 TEST(Stability, BondedPairLeavesOnce)
 {
-    std::string const scene = "[domain]\nlower = [-2e-3, -2e-3, -4e-3]\nupper = [2e-3, 2e-3, 4e-3]\ngravity = [0, 0, -9.81]\n" +
-                              sand_of("restitution = 0.8\nfriction = 0.2\nsurface_energy = 30") + grains_from_file +
-                              "[[walls]]\nname = \"plate\"\ntype = \"plane\"\nmaterial = \"sand\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n"
-                              "[[walls.holes]]\nname = \"hole\"\ncenter = [0, 0, 0]\ndiameter = 1e-3\n" +
-                              stage_of("0.02", "time_step = 2e-8", "law = \"modified_jkr\"") +
-                              "outlet_wall = \"plate\"\n[[stages.walls]]\nwall = \"plate\"\nopen = [\"hole\"]\n" + balanced + "history_interval = 1e-4\n";
-    HardRun const run = run_hard(scene, "x, y, z, diameter\n0, 0, 0.4e-3, 0.23e-3\n0, 0, 0.6297668e-3, 0.23e-3\n0.05e-3, 1.5e-3, 0.2e-3, 0.23e-3\n");
+    std::string const scene =
+        "[domain]\nlower = [-2e-3, -2e-3, -4e-3]\nupper = [2e-3, 2e-3, 4e-3]\ngravity = [0, 0, -9.81]\n" +
+        sand_of("restitution = 0.8\nfriction = 0.2\nsurface_energy = 30") + grains_from_file +
+        "[[walls]]\nname = \"plate\"\ntype = \"plane\"\nmaterial = \"sand\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+        "[[walls.holes]]\nname = \"hole\"\ncenter = [0, 0, 0]\ndiameter = 1e-3\n" +
+        stage_of("0.02", "time_step = 2e-8", "law = \"modified_jkr\"") +
+        "outlet_wall = \"plate\"\n[[stages.walls]]\nwall = \"plate\"\nopen = [\"hole\"]\n" + balanced +
+        "history_interval = 1e-4\n";
+    HardRun const run = run_hard(
+        scene, "x, y, z, diameter\n0, 0, 0.4e-3, 0.23e-3\n0, 0, 0.6297668e-3, 0.23e-3\n0.05e-3, 1.5e-3, 0.2e-3, 0.23e-3\n");
     expect_sound(run, 2e-3);
     ASSERT_EQ(run.produced.size(), 2u);
     EXPECT_NE(run.produced[0].at("id"), run.produced[1].at("id"));
@@ -205,7 +220,8 @@ TEST(Stability, HardlyAnyGrains)
     std::string const rest = sand_of("restitution = 0.8\nfriction = 0.2\nsurface_energy = 30") + grains_from_file +
                              stage_of("1e-6", "time_step = 1e-8", "law = \"modified_jkr\"") + balanced;
     expect_sound(run_hard(box_of(0.01, false) + rest, "x, y, z, diameter\n5e-3, 5e-3, 5e-3, 0.23e-3\n"), 1e-12);
-    HardRun const bond = run_hard(box_of(0.01, true) + rest, "x, y, z, diameter\n5e-3, 5e-3, 5e-3, 0.23e-3\n5e-3, 5e-3, 5.2298e-3, 0.23e-3\n");
+    HardRun const bond = run_hard(box_of(0.01, true) + rest,
+                                  "x, y, z, diameter\n5e-3, 5e-3, 5e-3, 0.23e-3\n5e-3, 5e-3, 5.2298e-3, 0.23e-3\n");
     expect_sound(bond, 1e-5); // a bond that swings: (omega dt)^2 / 8 is 1.3e-4 of the swing's energy
     EXPECT_EQ(number(bond.end(), "bonds"), 1);
     HardRun const none = run_hard(box_of(0.01, false) + rest, "x, y, z, diameter\n");
@@ -227,8 +243,8 @@ TEST(Stability, SlidingPairAcrossPeriodicFaces)
         std::string const open_box = "[domain]\nlower = [-0.01, -0.01, -0.01]\nupper = [0.01, 0.01, 0.01]\n";
         return run_hard((periodic ? box_of(edge, true) : open_box) +
                             "[materials.sand]\ndensity = 2605\nyoungs_modulus = 1e7\npoissons_ratio = 0.3\n"
-                            "restitution = 0.8\nfriction = 0.2\n" + grains_from_file +
-                            stage_of("1e-4", "time_step = 5e-8", "law = \"hertz\"") + balanced +
+                            "restitution = 0.8\nfriction = 0.2\n" +
+                            grains_from_file + stage_of("1e-4", "time_step = 5e-8", "law = \"hertz\"") + balanced +
                             "history_interval = 1e-6\nprobes = [{name = \"a\", grain = 0}, {name = \"b\", grain = 1}]\n",
                         csv.str());
     };

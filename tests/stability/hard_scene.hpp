@@ -46,7 +46,8 @@ inline HardRun run_hard(std::string const& scene, std::string const& grains = {}
 {
     static int number_of_run = 0;
     HardRun run;
-    run.folder = fs::temp_directory_path() / ("arenite_hard_" + std::to_string(::getpid()) + "_" + std::to_string(++number_of_run));
+    run.folder =
+        fs::temp_directory_path() / ("arenite_hard_" + std::to_string(::getpid()) + "_" + std::to_string(++number_of_run));
     fs::remove_all(run.folder);
     fs::create_directories(run.folder);
     std::ofstream(run.folder / "scene.toml") << scene;
@@ -100,7 +101,8 @@ inline void expect_sound(HardRun const& run, double balance)
 inline std::string box_of(double edge, bool periodic)
 {
     std::string const e = std::to_string(edge), p = periodic ? "true" : "false";
-    return "[domain]\nlower = [0, 0, 0]\nupper = [" + e + ", " + e + ", " + e + "]\nperiodic = [" + p + ", " + p + ", " + p + "]\n";
+    return "[domain]\nlower = [0, 0, 0]\nupper = [" + e + ", " + e + ", " + e + "]\nperiodic = [" + p + ", " + p + ", " + p +
+           "]\n";
 }
 
 inline std::string sand_of(std::string const& values)

@@ -28,7 +28,7 @@ void collect(Fields const& fields, SceneKey const& at, std::vector<SceneKey>& ke
 void collect_nested(SceneKey const& key, std::vector<SceneKey>& keys)
 {
     std::string const name = key.field.name;
-    SceneKey inner = key; // its header, table and heading are those of what it holds
+    SceneKey inner = key;                                 // its header, table and heading are those of what it holds
     std::size_t const begin = key.heading.rfind('[') + 1; // 0 at the top level
     std::string const outer = key.heading.empty() ? "" : key.heading.substr(begin, key.heading.find(']') - begin) + ".";
     inner.table = key.path();
@@ -89,8 +89,9 @@ bool holds_integers(SceneKey const& key)
 
 bool holds_numbers(SceneKey const& key)
 {
-    return holds_integers(key) || is_one_of<Real*, std::optional<Real>*, Vec3*, std::optional<Vec3>*, std::vector<Real>*,
-                                            std::vector<Vec3>*>(key.field.target);
+    return holds_integers(key) ||
+           is_one_of<Real*, std::optional<Real>*, Vec3*, std::optional<Vec3>*, std::vector<Real>*, std::vector<Vec3>*>(
+               key.field.target);
 }
 
 std::string as_value(SceneKey const& key, std::string const& scalar)

@@ -11,9 +11,9 @@
 namespace arenite::test {
 
 struct SceneKey {
-    std::string header;   // TOML that opens the key's table and gives the key a meaning there
-    std::string table;    // path of the table as messages write it; "" for the top level
-    std::string heading;  // the same as docs/scene.md writes it: [domain], [[walls.holes]], [materials.NAME]
+    std::string header;  // TOML that opens the key's table and gives the key a meaning there
+    std::string table;   // path of the table as messages write it; "" for the top level
+    std::string heading; // the same as docs/scene.md writes it: [domain], [[walls.holes]], [materials.NAME]
     scene::Field field;
     std::vector<std::string> siblings; // all names of the table
 

@@ -5,8 +5,7 @@
 
 using namespace arenite;
 
-namespace
-{
+namespace {
 
 // Of n unknowns, a linear map needs n differences. Repeating this one would take 1e4 evaluations: its slowest mode falls by
 // 0.1 % in one, and two more turn about each other.

@@ -41,17 +41,14 @@ template <class T> void expect_round_trip(std::vector<T> const& values)
     out.commit();
     auto const read = CheckpointReader(folder / "c.h5").array<T>("deep/in/a");
     ASSERT_EQ(read.size(), values.size());
-    if (!values.empty()) {
-        EXPECT_EQ(std::memcmp(read.data(), values.data(), values.size() * sizeof(T)), 0);
-    }
+    if (!values.empty()) { EXPECT_EQ(std::memcmp(read.data(), values.data(), values.size() * sizeof(T)), 0); }
 }
 
 TEST(Checkpoint, EveryTypeComesBackBitForBit)
 {
     using Limits = std::numeric_limits<Real>;
     Real const odd_nan = std::bit_cast<Real>(std::uint64_t(0x7ff8dead0000beef));
-    expect_round_trip<Real>(
-        {0.0, -0.0, 1.0 / 3, Limits::denorm_min(), Limits::infinity(), -Limits::infinity(), odd_nan});
+    expect_round_trip<Real>({0.0, -0.0, 1.0 / 3, Limits::denorm_min(), Limits::infinity(), -Limits::infinity(), odd_nan});
     expect_round_trip<float>({-0.0f, 1.0f / 3});
     expect_round_trip<std::int8_t>({-128, 127});
     expect_round_trip<std::uint8_t>({0, 255});
@@ -59,8 +56,7 @@ TEST(Checkpoint, EveryTypeComesBackBitForBit)
     expect_round_trip<std::uint16_t>({65535});
     expect_round_trip<int>({std::numeric_limits<int>::min(), std::numeric_limits<int>::max()});
     expect_round_trip<std::uint32_t>({4294967295u});
-    expect_round_trip<std::int64_t>(
-        {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()});
+    expect_round_trip<std::int64_t>({std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()});
     expect_round_trip<std::uint64_t>({std::numeric_limits<std::uint64_t>::max()});
     expect_round_trip<Real>({});
 }
@@ -179,12 +175,12 @@ TEST(Checkpoint, MissingForeignAndOtherVersionsAreRefused)
     test::put(folder / "empty.h5", "");
     EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "empty.h5"); }), "the file is empty"));
     test::write_foreign_hdf5(folder / "foreign.h5");
-    EXPECT_TRUE(
-        contains(message_of<InputError>([&] { CheckpointReader(folder / "foreign.h5"); }), "of another program"));
+    EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "foreign.h5"); }), "of another program"));
     std::string content = content_of(write_small(folder.path(), 1));
     content.replace(content.find("format ") + 7, 1, "99");
     test::put(folder / "later.h5", content);
-    EXPECT_TRUE(contains(message_of<InputError>([&] { CheckpointReader(folder / "later.h5"); }), "has checkpoint format 99"));
+    EXPECT_TRUE(
+        contains(message_of<InputError>([&] { CheckpointReader(folder / "later.h5"); }), "has checkpoint format 99"));
 }
 
 TEST(Checkpoint, WhatAFileAnnouncesIsNotBelieved)
@@ -208,9 +204,7 @@ TEST(Checkpoint, EveryTruncationIsRefusedAtOnce)
         fs::resize_file(path, size);
         auto const message = message_of<InputError>([&] { CheckpointReader in(path); });
         EXPECT_TRUE(contains(message, path.string())) << size;
-        if (size > 512) {
-            EXPECT_TRUE(contains(message, "the checkpoint is truncated")) << size;
-        }
+        if (size > 512) { EXPECT_TRUE(contains(message, "the checkpoint is truncated")) << size; }
     }
 }
 
@@ -304,8 +298,7 @@ TEST(Checkpoint, AFullDiskKeepsTheOldOneAndIsNamed)
     EXPECT_TRUE(contains(message, path.string()));
     EXPECT_TRUE(contains(message, "No space left on device"));
     EXPECT_EQ(content_of(path), before);
-    EXPECT_TRUE(
-        contains(message_of<OutputError>([&] { CheckpointWriter out(folder / "no/c.h5", {}); }), "No such file"));
+    EXPECT_TRUE(contains(message_of<OutputError>([&] { CheckpointWriter out(folder / "no/c.h5", {}); }), "No such file"));
 }
 
 TEST(CheckpointFolder, TheLatestWholeOneOfTheSceneIsTaken)

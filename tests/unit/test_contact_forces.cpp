@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 SystemSettings rough_pair(Grain const& a, Grain const& b)
 {

@@ -10,10 +10,8 @@
 #include <cstring>
 #include <limits>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 SystemSettings open_system(std::vector<Grain> grains)
 {

@@ -12,10 +12,8 @@
 #include <random>
 #include <vector>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real rounding = 1e-14; // a few hundred terms of order one
 

@@ -8,10 +8,8 @@
 #include <cmath>
 #include <vector>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real water_density = 998.2, water_viscosity = 1e-3, pi = std::numbers::pi_v<Real>;
 constexpr Real printed = 1e-9; // the reference values carry ten digits
@@ -50,9 +48,8 @@ Real terminal_velocity(FluidSettings const& fluid, Real grain_density, Real diam
     return low;
 }
 
-constexpr DragLaw all_laws[] = {
-    DragLaw::constant,          DragLaw::stokes,   DragLaw::schiller_naumann, DragLaw::di_felice,
-    DragLaw::di_felice_literal, DragLaw::gidaspow, DragLaw::beetstra};
+constexpr DragLaw all_laws[] = {DragLaw::constant,          DragLaw::stokes,   DragLaw::schiller_naumann, DragLaw::di_felice,
+                                DragLaw::di_felice_literal, DragLaw::gidaspow, DragLaw::beetstra};
 
 } // namespace
 
@@ -64,9 +61,8 @@ TEST(Drag, DiFeliceFixedBedGradients)
     for (auto const& point :
          {Point{0.37, 1e-4, 2280.079768}, Point{0.41, 1e-5, 128.9001244}, Point{0.41, 1e-4, 1318.668271},
           Point{0.41, 1e-3, 13560.85083}, Point{0.41, 1e-2, 135157.1882}, Point{0.45, 1e-2, 83959.78511}})
-        EXPECT_NEAR(bed_gradient(water(DragLaw::di_felice), point.superficial, point.porosity, 0.23e-3) /
-                        point.gradient,
-                    1, printed);
+        EXPECT_NEAR(bed_gradient(water(DragLaw::di_felice), point.superficial, point.porosity, 0.23e-3) / point.gradient, 1,
+                    printed);
 }
 
 TEST(Drag, PaperSandByClasses)
@@ -129,8 +125,7 @@ TEST(Drag, TerminalVelocitiesInWater)
                     eight_digits);
         EXPECT_NEAR(terminal_velocity(water(DragLaw::stokes), 2605, row.diameter) / row.stokes, 1, eight_digits);
         // Wen & Yu without neighbours is Schiller & Naumann
-        EXPECT_NEAR(terminal_velocity(water(DragLaw::gidaspow), 2605, row.diameter) / row.schiller_naumann, 1,
-                    eight_digits);
+        EXPECT_NEAR(terminal_velocity(water(DragLaw::gidaspow), 2605, row.diameter) / row.schiller_naumann, 1, eight_digits);
     }
 }
 

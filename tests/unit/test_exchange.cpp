@@ -14,10 +14,8 @@
 #include <utility>
 #include <vector>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real diameter = 3e-4, grain_volume = std::numbers::pi_v<Real> / 6 * diameter * diameter * diameter;
 constexpr Real fluid_dt = 2e-5;
@@ -151,8 +149,7 @@ constexpr Real momentum_rounding = 1e-12; // sums of 1e3 terms
 
 TEST(Exchange, MomentumClosesToRounding)
 {
-    for (Vec3 const& residual : momentum_residuals(ConvectionScheme::none))
-        EXPECT_LT(norm(residual), momentum_rounding);
+    for (Vec3 const& residual : momentum_residuals(ConvectionScheme::none)) EXPECT_LT(norm(residual), momentum_rounding);
     // The half cells at walls carry no convection of their own, so with it only the periodic axis closes exactly.
     for (Vec3 const& residual : momentum_residuals(ConvectionScheme::limited)) {
         EXPECT_LT(std::abs(residual.x), momentum_rounding);
@@ -213,8 +210,7 @@ TEST(Exchange, TooFullCellIsLimitedCountedAndTold)
     deposit_drag(run.flow, run.exchange, run.particles, fluid_dt);
     Real const cell = run.flow.grid.cell_volume();
     EXPECT_EQ(run.exchange.report.limited_cells, 1);
-    EXPECT_NEAR(run.exchange.report.limited_volume / (100 * grain_volume - (1 - fluid.minimum_porosity) * cell), 1,
-                1e-12);
+    EXPECT_NEAR(run.exchange.report.limited_volume / (100 * grain_volume - (1 - fluid.minimum_porosity) * cell), 1, 1e-12);
     EXPECT_NEAR(run.exchange.report.lowest_porosity, 1 - 100 * grain_volume / cell, 1e-12);
     EXPECT_EQ(check_exchange(run.exchange, run.particles).size(), 2u); // support below a diameter, too full
 }

@@ -97,8 +97,7 @@ TEST(FieldOutput, OnlyChosenFieldsAreWritten)
     EXPECT_TRUE(contains(message, "no grain field 'speeed'"));
     EXPECT_TRUE(contains(message, "coordination"));
     for (auto const& name : OutputSettings().grain_fields) EXPECT_NO_THROW(grain_piece(snapshot, {name})) << name;
-    for (auto const& name : OutputSettings().fluid_fields)
-        EXPECT_NO_THROW(fluid_piece(FluidSnapshot(), {name})) << name;
+    for (auto const& name : OutputSettings().fluid_fields) EXPECT_NO_THROW(fluid_piece(FluidSnapshot(), {name})) << name;
 }
 
 /// Velocity (x-face index, 0, 10 k), pressure i + 10 j + 100 k, porosity 0.5; NaN in the halo.

@@ -7,8 +7,7 @@
 
 using namespace arenite;
 
-namespace
-{
+namespace {
 
 Real wave(Vec3 x, Real phase)
 {

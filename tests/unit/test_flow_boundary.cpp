@@ -7,8 +7,7 @@
 
 using namespace arenite;
 
-namespace
-{
+namespace {
 
 constexpr Real pi = 3.14159265358979323846;
 
@@ -19,8 +18,8 @@ TEST(PatchArea, DiscSharesSumToItsArea)
         Real sum = 0;
         for (int b = 0; b < n; ++b)
             for (int a = 0; a < n; ++a)
-                sum += disc_area_in_rectangle(center, radius,
-                                              {{Real(a) / n, Real(b) / n}, {Real(a + 1) / n, Real(b + 1) / n}});
+                sum +=
+                    disc_area_in_rectangle(center, radius, {{Real(a) / n, Real(b) / n}, {Real(a + 1) / n, Real(b + 1) / n}});
         EXPECT_NEAR(sum, pi * radius * radius, 1e-14);
     }
 }

@@ -80,7 +80,8 @@ TEST(GrainCsv, ColumnsThatMustBeThere)
 
 TEST(GrainCsv, FaultsComeTogetherWithTheirLines)
 {
-    std::string const text = fault("x,y,z,diameter,id\n0,0,0,-1e-3,0\n0,0,zero,1e-3,1\n0,0,0\n0,0,0,1e-3,1\n0,nan,0,1e-3,1.5\n");
+    std::string const text =
+        fault("x,y,z,diameter,id\n0,0,0,-1e-3,0\n0,0,zero,1e-3,1\n0,0,0\n0,0,0,1e-3,1\n0,nan,0,1e-3,1.5\n");
     EXPECT_TRUE(contains(text, ":2:4: diameter = -1e-3: must be > 0 m"));
     EXPECT_TRUE(contains(text, ":3:3: z = zero: must be a finite number"));
     EXPECT_TRUE(contains(text, ":4: 3 values for 5 columns"));
@@ -91,7 +92,8 @@ TEST(GrainCsv, FaultsComeTogetherWithTheirLines)
 
 TEST(GrainCsv, MaterialAndHeldAreChecked)
 {
-    EXPECT_TRUE(contains(fault("x,y,z,radius,material\n0,0,0,1,sant\n"), "material = sant: is not a material of the scene; did you mean sand?"));
+    EXPECT_TRUE(contains(fault("x,y,z,radius,material\n0,0,0,1,sant\n"),
+                         "material = sant: is not a material of the scene; did you mean sand?"));
     EXPECT_TRUE(contains(fault("x,y,z,radius,held\n0,0,0,1,yes\n"), "held = yes: must be 0 or 1"));
 }
 
@@ -111,9 +113,10 @@ TEST(GrainCsv, GarbageIsRefusedEarly)
 TEST(GrainCsv, FaultsOfTheFileBecomeFaultsOfTheScene)
 {
     TemporaryCsv const csv("x,y,z,diameter\n0,0,0,0\n5,0,0,1e-3\n");
-    std::string const scene = "[domain]\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n[materials.sand]\ndensity = 2605\nyoungs_modulus = -1\n"
-                              "poissons_ratio = 0.3\n[particles]\nsource = \"file\"\nmaterial = \"sand\"\nfile = \"" + csv.path +
-                              "\"\n[[stages]]\nname = \"a\"\nduration = 1\ntime_step = 1e-8\n";
+    std::string const scene =
+        "[domain]\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n[materials.sand]\ndensity = 2605\nyoungs_modulus = -1\n"
+        "poissons_ratio = 0.3\n[particles]\nsource = \"file\"\nmaterial = \"sand\"\nfile = \"" +
+        csv.path + "\"\n[[stages]]\nname = \"a\"\nduration = 1\ntime_step = 1e-8\n";
     std::string const faults = faults_of_text(scene);
     EXPECT_TRUE(contains(faults, "materials.sand.youngs_modulus = -1: must be > 0 Pa"));
     EXPECT_TRUE(contains(faults, csv.path + ":2:4: diameter = 0: must be > 0 m"));
@@ -122,8 +125,9 @@ TEST(GrainCsv, FaultsOfTheFileBecomeFaultsOfTheScene)
 TEST(GrainCsv, AGrainOutsideTheDomainIsAFault)
 {
     TemporaryCsv const csv("x,y,z,diameter\n5,0,0,1e-3\n");
-    std::string const scene = "[domain]\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n[materials.sand]\ndensity = 2605\nyoungs_modulus = 1e9\n"
-                              "poissons_ratio = 0.3\n[particles]\nsource = \"file\"\nmaterial = \"sand\"\nfile = \"" + csv.path +
-                              "\"\n[[stages]]\nname = \"a\"\nduration = 1\ntime_step = 1e-8\n";
+    std::string const scene =
+        "[domain]\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n[materials.sand]\ndensity = 2605\nyoungs_modulus = 1e9\n"
+        "poissons_ratio = 0.3\n[particles]\nsource = \"file\"\nmaterial = \"sand\"\nfile = \"" +
+        csv.path + "\"\n[[stages]]\nname = \"a\"\nduration = 1\ntime_step = 1e-8\n";
     EXPECT_EQ(faults_of_text(scene), csv.path + ":2: the grain's centre is outside the domain");
 }

@@ -5,10 +5,8 @@
 
 #include <limits>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 SystemSettings falling(std::vector<Grain> grains)
 {

@@ -8,10 +8,8 @@
 #include <cmath>
 #include <limits>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 PairConstants pair_of(NormalLaw law, Real surface_energy = 30)
 {
@@ -49,8 +47,7 @@ TEST(Jkr, FollowsTheUniversalCurve)
     for (CurvePoint const& point : curve) {
         auto const at = [&](Real x) { return jkr_response(-x * points.overlap_C, scale, pair); };
         EXPECT_NEAR(at(point.x).contact_radius / points.radius_C, point.radius, printed * point.radius) << point.x;
-        EXPECT_NEAR(at(point.x).force / points.pull_off_force, point.force,
-                    printed * std::fmax(1, std::fabs(point.force)))
+        EXPECT_NEAR(at(point.x).force / points.pull_off_force, point.force, printed * std::fmax(1, std::fabs(point.force)))
             << point.x;
         Real const slope = (at(point.x + step).force - at(point.x - step).force) / (2 * step * points.pull_off_force);
         // Rounding over 2 step, and the third derivative (largest near S).
@@ -63,16 +60,11 @@ struct SandPoint {
 };
 
 constexpr SandPoint sand_points[] = {
-    {0.15e-3, 0.15e-3, 0.01060287521, -8.026986386e-8, 2.022673823e-7, -1.669680453e-7, 3.005055687e-6, 62904.11287,
-     30},
-    {0.355e-3, 0.355e-3, 0.02509347132, -1.069707131e-7, 2.695493064e-7, -2.225080499e-7, 5.336754854e-6, 111713.0145,
-     30},
-    {0.15e-3, 0.355e-3, 0.01490701267, -8.992384119e-8, 2.265938808e-7, -1.870491274e-7, 3.771352888e-6, 78944.82912,
-     30},
-    {0.23e-3, 0.23e-3, 0.01625774198, -9.256171344e-8, 2.332409024e-7, -1.925361228e-7, 3.995859804e-6, 83644.37876,
-     30},
-    {0.46e-3, 0.46e-3, 0.06503096793, -1.851234269e-7, 4.664818047e-7, -3.850722455e-7, 7.991719607e-6, 167288.7575,
-     60},
+    {0.15e-3, 0.15e-3, 0.01060287521, -8.026986386e-8, 2.022673823e-7, -1.669680453e-7, 3.005055687e-6, 62904.11287, 30},
+    {0.355e-3, 0.355e-3, 0.02509347132, -1.069707131e-7, 2.695493064e-7, -2.225080499e-7, 5.336754854e-6, 111713.0145, 30},
+    {0.15e-3, 0.355e-3, 0.01490701267, -8.992384119e-8, 2.265938808e-7, -1.870491274e-7, 3.771352888e-6, 78944.82912, 30},
+    {0.23e-3, 0.23e-3, 0.01625774198, -9.256171344e-8, 2.332409024e-7, -1.925361228e-7, 3.995859804e-6, 83644.37876, 30},
+    {0.46e-3, 0.46e-3, 0.06503096793, -1.851234269e-7, 4.664818047e-7, -3.850722455e-7, 7.991719607e-6, 167288.7575, 60},
 };
 
 TEST(Jkr, HasTheSandsDimensionalPoints)
@@ -90,9 +82,9 @@ TEST(Jkr, HasTheSandsDimensionalPoints)
         EXPECT_NEAR(at_C.force / point.pull_off, -1, printed);
         EXPECT_NEAR(at_C.contact_radius / point.radius_C, 1, printed);
         Real const h = 1e-4 * length;
-        Real const slope = (jkr_response(point.overlap_B + h, scale, pair).force -
-                            jkr_response(point.overlap_B - h, scale, pair).force) /
-                           (2 * h);
+        Real const slope =
+            (jkr_response(point.overlap_B + h, scale, pair).force - jkr_response(point.overlap_B - h, scale, pair).force) /
+            (2 * h);
         EXPECT_NEAR(slope / point.stiffness_B, 1, 1e-8);
     }
 }
@@ -150,8 +142,7 @@ TEST(Jkr, ContactsFormAndBreakAtTheExactOverlap)
 {
     PairConstants const pair = pair_of(NormalLaw::jkr);
     Real const root = scale_of(0.23e-3, 0.23e-3).cube_root_of_radius;
-    Real const C = jkr_points::overlap_C * pair.length_factor * root,
-               S = jkr_points::overlap_S * pair.length_factor * root;
+    Real const C = jkr_points::overlap_C * pair.length_factor * root, S = jkr_points::overlap_S * pair.length_factor * root;
     Real const pull_off = 1.625774198e-2;
     struct Case {
         NormalLaw law;

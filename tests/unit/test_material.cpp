@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 constexpr Real rounding = 1e-14;
 
@@ -38,8 +36,8 @@ TEST(Material, DampingFollowsTheRestitution)
     EXPECT_EQ(damping_ratio(1), 0);
     EXPECT_NEAR(damping_ratio(0.8), 0.070850300195, 1e-11);
     EXPECT_NEAR(damping_ratio(0.5), 0.215453761966, 1e-11);
-    PairConstants const pair = make_pair(with(sand(), 0.8, 0), with(sand(), 0.8, 0),
-                                         contact_settings(NormalLaw::hertz, DampingLaw::restitution));
+    PairConstants const pair =
+        make_pair(with(sand(), 0.8, 0), with(sand(), 0.8, 0), contact_settings(NormalLaw::hertz, DampingLaw::restitution));
     EXPECT_NEAR(pair.damping_factor, 2 * std::sqrt(5.0 / 6) * 0.070850300195, 1e-10);
     EXPECT_FALSE(pair.clip_attraction);
 }

@@ -7,8 +7,7 @@
 
 using namespace arenite;
 
-namespace
-{
+namespace {
 
 View1<Real> make_terms(int count)
 {

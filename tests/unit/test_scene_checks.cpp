@@ -35,7 +35,8 @@ TEST(SceneChecks, NothingIsMixedInSilence)
     EXPECT_EQ(faults_with({"materials.steel.restitution=0.9", "interactions.0.restitution=0.85"}), "");
     // A law that does not use the value does not need it.
     EXPECT_EQ(faults_with({"materials.steel.restitution=0.9", "stages.fill.wall_contact.damping=none",
-                           "stages.flow.wall_contact.damping=none"}), "");
+                           "stages.flow.wall_contact.damping=none"}),
+              "");
 }
 
 TEST(SceneChecks, AStageOverrideCanMakeAPairDiffer)
@@ -48,7 +49,8 @@ TEST(SceneChecks, AStageOverrideCanMakeAPairDiffer)
 
 TEST(SceneChecks, GrainMaterialNeedsADensity)
 {
-    EXPECT_TRUE(contains(faults_of_text(without(valid_scene, "density = 2605\n")), "materials.sand: missing key density [kg/m3]"));
+    EXPECT_TRUE(
+        contains(faults_of_text(without(valid_scene, "density = 2605\n")), "materials.sand: missing key density [kg/m3]"));
 }
 
 TEST(SceneChecks, Distribution)
@@ -57,7 +59,8 @@ TEST(SceneChecks, Distribution)
     EXPECT_EQ(faults_with({"particles.distribution.fractions=[0.4, 0.6000001]"}), "");
     expect_fault({"particles.distribution.fractions=[1]"}, "must have one value for each of the 2 diameters");
     expect_fault({"particles.distribution.diameters=[3e-4, 2e-4]"}, "must be ascending");
-    expect_fault({"particles.distribution.solid_fraction=0.5"}, "needs exactly one of count, solid_volume and solid_fraction");
+    expect_fault({"particles.distribution.solid_fraction=0.5"},
+                 "needs exactly one of count, solid_volume and solid_fraction");
     expect_fault({"particles.distribution.region={lower=[0, 0, 0], upper=[1, 1, 1]}"}, "must lie in the domain");
     expect_fault({"particles.distribution.lognormal={median=2e-4, sigma=0.2, minimum=1e-4, maximum=3e-4}"},
                  "stands beside diameters or fractions");
@@ -67,14 +70,16 @@ TEST(SceneChecks, Distribution)
 TEST(SceneChecks, Files)
 {
     expect_fault({"particles={source=\"file\", file=\"none.csv\", material=\"sand\"}"}, "there is no file scenes/none.csv");
-    expect_fault({"walls.rod={name=\"rod\", type=\"mesh\", material=\"steel\", file=\"rod.stl\"}"}, "there is no file scenes/rod.stl");
+    expect_fault({"walls.rod={name=\"rod\", type=\"mesh\", material=\"steel\", file=\"rod.stl\"}"},
+                 "there is no file scenes/rod.stl");
 }
 
 TEST(SceneChecks, NamesThatNoFileCanHave)
 {
     std::string const longer(5000, 'x');
     expect_fault({"particles={source=\"file\", file=\"" + longer + "\", material=\"sand\"}"}, "there is no file");
-    expect_fault({"walls.rod={name=\"rod\", type=\"mesh\", material=\"steel\", file=\"" + longer + "\"}"}, "there is no file");
+    expect_fault({"walls.rod={name=\"rod\", type=\"mesh\", material=\"steel\", file=\"" + longer + "\"}"},
+                 "there is no file");
     expect_fault({"particles={source=\"checkpoint\", file=\"a\\u0000b\", material=\"sand\"}"}, "there is no file");
     EXPECT_THROW(read_scene(longer), InputError);
 }
@@ -83,7 +88,8 @@ TEST(SceneChecks, AmountsThatNoComputerHolds)
 {
     expect_fault({"fluid.cells=[100000, 100000, 1]"}, "are 1e+10 cells in all, more than the 1e+09");
     expect_fault({"particles.distribution.count=3e9"}, "is too large");
-    expect_fault({"particles.distribution.count=0", "particles.distribution.solid_volume=1e9"}, "more than the 2147483647 that a run can have");
+    expect_fault({"particles.distribution.count=0", "particles.distribution.solid_volume=1e9"},
+                 "more than the 2147483647 that a run can have");
     expect_fault({"particles.distribution.diameters=[1e-200, 1e-199]"}, "mean volume is not a number");
     std::vector<std::string> materials;
     for (int n = 0; n < 254; ++n) materials.push_back("materials.m" + std::to_string(n) + ".rigid=true");
@@ -103,7 +109,8 @@ TEST(SceneChecks, DuplicateNames)
 {
     expect_fault({"stages.1.name=flow"}, "two entries have name = \"flow\"; the first is at scenes/x.toml:96:1");
     expect_fault({"walls.2.name=top"}, "walls.top: two entries have name = \"top\"");
-    expect_fault({"walls.top.holes.1={name=\"perforation\", center=[0, 0, 0], diameter=1e-3}"}, "two entries have name = \"perforation\"");
+    expect_fault({"walls.top.holes.1={name=\"perforation\", center=[0, 0, 0], diameter=1e-3}"},
+                 "two entries have name = \"perforation\"");
     expect_fault({"interactions.1={materials=[\"steel\", \"sand\"], friction=0.1}"}, "an earlier entry names the same pair");
 }
 
@@ -111,23 +118,30 @@ TEST(SceneChecks, Walls)
 {
     expect_fault({"walls.top.normal=[0, 0, 0]"}, "must not be [0, 0, 0]");
     expect_fault({"walls.rod.axis=[0, 0, 0]"}, "must not be [0, 0, 0]");
-    expect_fault({"walls.3={name=\"b\", type=\"box\", material=\"sand\", lower=[0, 0, 0], upper=[0, 1, 1]}"}, "must be above lower along x");
+    expect_fault({"walls.3={name=\"b\", type=\"box\", material=\"sand\", lower=[0, 0, 0], upper=[0, 1, 1]}"},
+                 "must be above lower along x");
 }
 
 TEST(SceneChecks, OverlappingWalls)
 {
     // A rod across the top plate beside its hole, and one through the hole.
-    expect_fault({"walls.rod.present=true", "walls.rod.base=[0.002, 0.005, 0.015]"}, "walls.rod: overlaps wall top at the start");
+    expect_fault({"walls.rod.present=true", "walls.rod.base=[0.002, 0.005, 0.015]"},
+                 "walls.rod: overlaps wall top at the start");
     EXPECT_EQ(faults_with({"walls.rod.present=true", "walls.rod.base=[0.005, 0.005, 0.015]"}), "");
     // It may stand on the floor, not in it.
     EXPECT_EQ(faults_with({"walls.rod.present=true", "walls.rod.base=[0.002, 0.005, 0]"}), "");
-    expect_fault({"walls.rod.present=true", "walls.rod.base=[0.002, 0.005, -0.001]"}, "walls.rod: overlaps wall floor at the start");
-    expect_fault({"walls.top.normal=[0, 0, 1]", "walls.top.point=[1, 0, 0]"}, "walls.top: is the same plane as wall floor at the start");
+    expect_fault({"walls.rod.present=true", "walls.rod.base=[0.002, 0.005, -0.001]"},
+                 "walls.rod: overlaps wall floor at the start");
+    expect_fault({"walls.top.normal=[0, 0, 1]", "walls.top.point=[1, 0, 0]"},
+                 "walls.top: is the same plane as wall floor at the start");
     expect_fault({"walls.top.point=[0, 0, -0.001]"}, "walls.top: leaves no room between itself and wall floor at the start");
-    std::string const block = "walls.3={name=\"block\", type=\"box\", material=\"sand\", lower=[0.004, 0.004, 0], upper=[0.006, 0.006, 0.002]";
+    std::string const block = "walls.3={name=\"block\", type=\"box\", material=\"sand\", lower=[0.004, 0.004, 0], "
+                              "upper=[0.006, 0.006, 0.002]";
     EXPECT_EQ(faults_with({block + "}"}), "");
-    expect_fault({block + "}", "walls.rod.present=true", "walls.rod.base=[0.005, 0.005, 0.001]"}, "walls.block: overlaps wall rod");
-    expect_fault({block + ", inside=true}", "walls.rod.present=true", "walls.rod.base=[0.005, 0.005, 0.001]"}, "walls.block: overlaps wall rod");
+    expect_fault({block + "}", "walls.rod.present=true", "walls.rod.base=[0.005, 0.005, 0.001]"},
+                 "walls.block: overlaps wall rod");
+    expect_fault({block + ", inside=true}", "walls.rod.present=true", "walls.rod.base=[0.005, 0.005, 0.001]"},
+                 "walls.block: overlaps wall rod");
 }
 
 TEST(SceneChecks, Fluid)
@@ -143,7 +157,8 @@ TEST(SceneChecks, Fluid)
 TEST(SceneChecks, PeriodicFacesComeInPairs)
 {
     expect_fault({"fluid.patches.1.type=slip"}, "x_lower is periodic, so x_upper must be periodic too");
-    expect_fault({"fluid.patches.0.type=slip", "fluid.patches.1.type=slip"}, "the domain is periodic along x: add [[fluid.patches]]");
+    expect_fault({"fluid.patches.0.type=slip", "fluid.patches.1.type=slip"},
+                 "the domain is periodic along x: add [[fluid.patches]]");
     expect_fault({"fluid.patches.4={face=\"x_upper\", type=\"wall\"}"}, "x_upper is periodic and can carry no other patch");
     expect_fault({"fluid.patches.0={face=\"x_lower\", type=\"periodic\", shape=\"disc\", center=[0, 0, 0], diameter=1e-3}"},
                  "a periodic patch is the whole face");
@@ -154,7 +169,8 @@ TEST(SceneChecks, StageTime)
     expect_fault({"stages.flow.duration=0"}, "stages.flow: missing key duration [s]");
     expect_fault({"stages.flow.time_step=0"}, "stages.flow: missing key time_step [s] or time_step_fraction");
     expect_fault({"stages.press.time_step=1e-8"}, "stands beside time_step: give one of them");
-    EXPECT_TRUE(contains(faults_of_text("[domain]\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n"), "scenes/x.toml:1:1: missing table [[stages]]"));
+    EXPECT_TRUE(contains(faults_of_text("[domain]\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n"),
+                         "scenes/x.toml:1:1: missing table [[stages]]"));
 }
 
 TEST(SceneChecks, StageActions)
@@ -182,7 +198,8 @@ TEST(SceneChecks, StageKinds)
 TEST(SceneChecks, StageEnds)
 {
     expect_fault({"stages.press.end.stress_wall=tob"}, "there is no wall \"tob\"");
-    expect_fault({"stages.press.end.position_wall=rod", "stages.press.end.position=0"}, "the wall is not there in this stage");
+    expect_fault({"stages.press.end.position_wall=rod", "stages.press.end.position=0"},
+                 "the wall is not there in this stage");
     expect_fault({"stages.press.end.wall_travel_done=true"}, "no wall of this stage has a travel");
     expect_fault({"stages.flow.end.stress_wall=top"}, "stages.flow.end: missing key stress");
 }

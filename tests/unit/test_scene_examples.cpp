@@ -26,10 +26,11 @@ TEST(SceneExamples, EverySceneReads)
     for (std::string const& file : files) {
         SCOPED_TRACE(file);
         Scene scene;
-        ASSERT_NO_THROW(try { scene = read_scene(file); } catch (InputError const& error) {
-            ADD_FAILURE() << error.what();
-            throw;
-        });
+        ASSERT_NO_THROW(
+            try { scene = read_scene(file); } catch (InputError const& error) {
+                ADD_FAILURE() << error.what();
+                throw;
+            });
         EXPECT_TRUE(read_scene_text(scene.resolved, file) == scene);
     }
 }

@@ -53,10 +53,7 @@ TEST(SceneFile, SyntaxErrorHasAPlace)
     EXPECT_TRUE(contains(faults_of_text("a = 1\na = 2\n"), "scenes/x.toml:2:5: not valid TOML"));
 }
 
-TEST(SceneFile, MissingFileIsAnInputError)
-{
-    EXPECT_THROW(read_scene("there/is/none.toml"), InputError);
-}
+TEST(SceneFile, MissingFileIsAnInputError) { EXPECT_THROW(read_scene("there/is/none.toml"), InputError); }
 
 TEST(SceneFile, OverrideTakesAnyTomlValue)
 {
@@ -91,7 +88,8 @@ TEST(SceneFile, OverrideNamesAnElementByIndexOrName)
 TEST(SceneFile, WrongOverrideSaysWhy)
 {
     EXPECT_EQ(override_fault("a"), "--set a: must be table.key=value");
-    EXPECT_EQ(override_fault("list.three.x=1"), "--set list.three.x=1: list has no element 'three'; there are 0 (one), 1 (two)");
+    EXPECT_EQ(override_fault("list.three.x=1"),
+              "--set list.three.x=1: list has no element 'three'; there are 0 (one), 1 (two)");
     EXPECT_EQ(override_fault("list.7.x=1"), "--set list.7.x=1: list has no element '7'; there are 0 (one), 1 (two)");
     EXPECT_EQ(override_fault("a.b=1"), "--set a.b=1: a = 1 is not a table");
     EXPECT_EQ(override_fault("a=[1,"), "--set a=[1,: the value is not valid TOML");

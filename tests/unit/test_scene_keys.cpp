@@ -51,7 +51,9 @@ void expect_one_fault(SceneKey const& key, std::string const& path, std::string 
     std::vector<std::string> const without = faults_of(key.header);
     for (std::string const& fault : faults_of(text))
         EXPECT_TRUE(fault == expected || std::find(without.begin(), without.end(), fault) != without.end())
-            << "follows from the wrong value:\n" << fault << "\nin\n" << text;
+            << "follows from the wrong value:\n"
+            << fault << "\nin\n"
+            << text;
 }
 
 /// " = value" as messages show it; tables are not shown.
@@ -59,7 +61,8 @@ std::string shown(std::string const& value)
 {
     SceneNode const root = parse_scene("v = " + value, "");
     SceneNode const& node = *root.find("v");
-    bool const table = node.kind == SceneNode::Kind::table || (!node.items.empty() && node.items[0].kind == SceneNode::Kind::table);
+    bool const table =
+        node.kind == SceneNode::Kind::table || (!node.items.empty() && node.items[0].kind == SceneNode::Kind::table);
     return table ? "" : " = " + spelling(node);
 }
 
@@ -70,8 +73,10 @@ std::string unit_of(scene::Field const& field, std::string const& before, std::s
 
 std::string wrong_type_message(scene::Field const& field)
 {
-    if (auto const* choice = std::get_if<scene::Choice>(&field.target)) return "must be one of " + scene::join(choice->names);
-    if (std::holds_alternative<scene::TableList>(field.target)) return "must be a list of tables: write [[" + field.name + "]]";
+    if (auto const* choice = std::get_if<scene::Choice>(&field.target))
+        return "must be one of " + scene::join(choice->names);
+    if (std::holds_alternative<scene::TableList>(field.target))
+        return "must be a list of tables: write [[" + field.name + "]]";
     return "must be " + scene::type_name(field) + unit_of(field, " [", "]");
 }
 
@@ -149,7 +154,8 @@ TEST(SceneKeys, AValueOutOfRangeIsSaidOnceAtItsPlace)
         auto const expect = [&](std::string const& scalar, std::string const& message) {
             std::string const value = as_value(key, scalar);
             WrittenKey const written = write_key(key, key.field.name, value);
-            expect_one_fault(key, key.path(), written.text, written.value_place + key.path() + shown(value) + ": " + message);
+            expect_one_fault(key, key.path(), written.text,
+                             written.value_place + key.path() + shown(value) + ": " + message);
         };
         for (std::string const& value : values_out_of_range(key))
             expect(value, "must be " + key.field.range.text() + unit_of(key.field, " ", "")), ++ranges;
@@ -201,7 +207,8 @@ TEST(SceneKeys, AMisspelledWordNamesTheRightOne)
         auto const expect = [&](std::string const& wrong, std::string const& message) {
             std::string const value = as_value(key, "\"" + wrong + "\"");
             WrittenKey const written = write_key(key, key.field.name, value);
-            expect_one_fault(key, key.path(), written.text, written.value_place + key.path() + shown(value) + ": " + message);
+            expect_one_fault(key, key.path(), written.text,
+                             written.value_place + key.path() + shown(value) + ": " + message);
             ++words;
         };
         if (auto const* choice = std::get_if<scene::Choice>(&key.field.target))
@@ -244,8 +251,8 @@ TEST(SceneKeys, AllFaultsOfATableComeTogetherInItsOrder)
             std::string const value = values_of_wrong_type(key).back(), wrong = misspelled(key.field.name),
                               prefix = key.table.empty() ? "" : key.table + ".";
             text += fmt::format("{} = {}\n{} = 1\n", key.field.name, value, wrong);
-            expected.push_back(fmt::format("t.toml:{}:{}: {}{}: {}", line + 1, key.field.name.size() + 4, key.path(), shown(value),
-                                           wrong_type_message(key.field)));
+            expected.push_back(fmt::format("t.toml:{}:{}: {}{}: {}", line + 1, key.field.name.size() + 4, key.path(),
+                                           shown(value), wrong_type_message(key.field)));
             expected.push_back(
                 fmt::format("t.toml:{}:1: {}{}: unknown key; did you mean {}?", line + 2, prefix, wrong, key.field.name));
             line += 2;
@@ -263,8 +270,9 @@ TEST(SceneKeys, AllFaultsOfATableComeTogetherInItsOrder)
 
 TEST(SceneKeys, FaultsOfSeveralTablesComeTogetherInTheFilesOrder)
 {
-    std::vector<std::string> const faults = faults_of("titel = 1\n[materials.a]\ndensity = -1\n[domain]\nlower = 0\n"
-                                                      "[[stages]]\nduration = \"x\"\n[fluid]\ncels = 1\n[[walls]]\ntype = 3\n");
+    std::vector<std::string> const faults =
+        faults_of("titel = 1\n[materials.a]\ndensity = -1\n[domain]\nlower = 0\n"
+                  "[[stages]]\nduration = \"x\"\n[fluid]\ncels = 1\n[[walls]]\ntype = 3\n");
     std::vector<int> lines;
     for (std::string const& fault : faults) lines.push_back(std::stoi(fault.substr(std::string("t.toml:").size())));
     EXPECT_TRUE(std::is_sorted(lines.begin(), lines.end()));

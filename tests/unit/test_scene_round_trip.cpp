@@ -14,8 +14,8 @@ namespace {
 
 Scene valid() { return read_scene_text(valid_scene, "scenes/x.toml"); }
 
-std::vector<std::string> const lognormal{
-    "particles.distribution={basis=\"number\", lognormal={median=2e-4, sigma=0.3, minimum=1e-4, maximum=4e-4, classes=6}, count=10}"};
+std::vector<std::string> const lognormal{"particles.distribution={basis=\"number\", lognormal={median=2e-4, sigma=0.3, "
+                                         "minimum=1e-4, maximum=4e-4, classes=6}, count=10}"};
 
 } // namespace
 
@@ -78,9 +78,11 @@ TEST(SceneRoundTrip, LognormalBecomesClasses)
 TEST(SceneRoundTrip, TheResolvedSceneReadsBackEqual)
 {
     for (std::vector<std::string> const& overrides :
-         {std::vector<std::string>{}, lognormal,
-          {"title=\"quote \\\" backslash \\\\ tab\\t\"", "stages.press.box.x.strain_rate=-0.25", "groups.pushed.velocity=[1e-300, -0.0, 3]",
-           "interactions.0.contact.law=jkr", "fluid.box={lower=[0, 0, 0], upper=[0.01, 0.01, 0.02]}"}}) {
+         {std::vector<std::string>{},
+          lognormal,
+          {"title=\"quote \\\" backslash \\\\ tab\\t\"", "stages.press.box.x.strain_rate=-0.25",
+           "groups.pushed.velocity=[1e-300, -0.0, 3]", "interactions.0.contact.law=jkr",
+           "fluid.box={lower=[0, 0, 0], upper=[0.01, 0.01, 0.02]}"}}) {
         Scene const first = read_scene_text(valid_scene, "scenes/x.toml", overrides);
         Scene const second = read_scene_text(first.resolved, "scenes/x.toml");
         EXPECT_TRUE(first == second) << first.resolved;

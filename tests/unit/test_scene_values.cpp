@@ -14,7 +14,8 @@ void collect_paths(SceneNode const& node, std::string const& path, std::vector<s
 {
     std::string const prefix = path.empty() ? "" : path + ".";
     bool const list = !node.items.empty() && node.items[0].kind == SceneNode::Kind::table;
-    for (std::size_t i = 0; list && i < node.items.size(); ++i) collect_paths(node.items[i], prefix + std::to_string(i), paths);
+    for (std::size_t i = 0; list && i < node.items.size(); ++i)
+        collect_paths(node.items[i], prefix + std::to_string(i), paths);
     for (SceneEntry const& entry : node.entries) collect_paths(entry.node, prefix + entry.key, paths);
     if (!list && node.kind != SceneNode::Kind::table) paths.push_back(path);
 }
@@ -34,8 +35,10 @@ TEST(SceneValues, UnknownKeyNamesTheNearest)
 {
     EXPECT_EQ(faults_of_text(valid_scene + "[outputs]\n"),
               "scenes/x.toml:129:2: outputs: unknown key; did you mean output?");
-    EXPECT_TRUE(contains(faults_with({"materials.sand.frictoin=1"}), "materials.sand.frictoin: unknown key; did you mean friction?"));
-    EXPECT_TRUE(contains(faults_with({"stages.flow.contact.lwa=hertz"}), "stages.flow.contact.lwa: unknown key; did you mean law?"));
+    EXPECT_TRUE(contains(faults_with({"materials.sand.frictoin=1"}),
+                         "materials.sand.frictoin: unknown key; did you mean friction?"));
+    EXPECT_TRUE(
+        contains(faults_with({"stages.flow.contact.lwa=hertz"}), "stages.flow.contact.lwa: unknown key; did you mean law?"));
 }
 
 TEST(SceneValues, UnlikeKeyListsWhatThereIs)
@@ -45,7 +48,8 @@ TEST(SceneValues, UnlikeKeyListsWhatThereIs)
 
 TEST(SceneValues, WrongTypeSaysTypeAndUnit)
 {
-    EXPECT_TRUE(contains(faults_with({"materials.sand.density=heavy"}), "materials.sand.density = \"heavy\": must be a number [kg/m3]"));
+    EXPECT_TRUE(contains(faults_with({"materials.sand.density=heavy"}),
+                         "materials.sand.density = \"heavy\": must be a number [kg/m3]"));
     EXPECT_TRUE(contains(faults_with({"domain.gravity=9.81"}), "domain.gravity = 9.81: must be a vector [x, y, z] [m/s2]"));
     EXPECT_TRUE(contains(faults_with({"domain.gravity=[0, 0]"}), "must be a vector [x, y, z] [m/s2]"));
     EXPECT_TRUE(contains(faults_with({"particles.distribution.count=10.5"}), "must be a whole number"));
@@ -63,9 +67,11 @@ TEST(SceneValues, AWholeNumberIsARealAndTheOtherWayRound)
 
 TEST(SceneValues, AClosedListPrintsItself)
 {
-    EXPECT_TRUE(contains(faults_with({"stages.flow.contact.law=herz"}), "must be one of hertz, jkr, modified_jkr; did you mean hertz?"));
+    EXPECT_TRUE(contains(faults_with({"stages.flow.contact.law=herz"}),
+                         "must be one of hertz, jkr, modified_jkr; did you mean hertz?"));
     EXPECT_TRUE(contains(faults_with({"fluid.drag=ergun"}), "must be one of none, di_felice, di_felice_literal, gidaspow"));
-    EXPECT_TRUE(contains(faults_with({"output.grain_fields=[\"velosity\"]"}), "\"velosity\" is not known; did you mean velocity?"));
+    EXPECT_TRUE(
+        contains(faults_with({"output.grain_fields=[\"velosity\"]"}), "\"velosity\" is not known; did you mean velocity?"));
 }
 
 TEST(SceneValues, NotFiniteIsRefused)
@@ -93,7 +99,8 @@ TEST(SceneValues, MissingKeyIsAtItsTable)
 {
     std::string const faults = faults_of_text(without(valid_scene, "youngs_modulus = 2e10\n"));
     EXPECT_EQ(faults, "scenes/x.toml:9:1: materials.sand: missing key youngs_modulus: a number [Pa], stiffness");
-    EXPECT_TRUE(contains(faults_of_text(without(valid_scene, "lower = [0, 0, 0]\n")), "scenes/x.toml:3:1: domain: missing key lower"));
+    EXPECT_TRUE(contains(faults_of_text(without(valid_scene, "lower = [0, 0, 0]\n")),
+                         "scenes/x.toml:3:1: domain: missing key lower"));
     EXPECT_TRUE(contains(faults_of_text(without(valid_scene, "name = \"flow\"\n")), "missing key name"));
 }
 
@@ -140,7 +147,8 @@ TEST(SceneValues, AllFaultsComeAtOnceInTheOrderOfTheFile)
     text.replace(text.find("friction = 0.2"), 14, "friction = -1 ");
     text.replace(text.find("factor = 2"), 10, "facto  = 2");
     std::string const faults = faults_of_text(text, {"fluid.density=-1"});
-    std::size_t const first = faults.find("--set fluid.density=-1: "), second = faults.find("scenes/x.toml:14:12: materials.sand.friction"),
+    std::size_t const first = faults.find("--set fluid.density=-1: "),
+                      second = faults.find("scenes/x.toml:14:12: materials.sand.friction"),
                       third = faults.find("scenes/x.toml:28:1: coarse_graining.facto: unknown key; did you mean factor?");
     EXPECT_LT(first, second);
     EXPECT_LT(second, third);

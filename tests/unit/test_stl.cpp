@@ -58,7 +58,8 @@ TEST(Stl, ReadsBinaryEvenIfItsHeaderSaysSolid)
 TEST(Stl, RefusesEveryTruncation)
 {
     std::string const whole = binary(2, parse_stl(ascii, "wedge.stl"));
-    for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_THROW(parse_stl(whole.substr(0, size), "cut"), InputError);
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        EXPECT_THROW(parse_stl(whole.substr(0, size), "cut"), InputError);
     std::size_t const last = ascii.rfind("endsolid") + 8;
     for (std::size_t size = 0; size < last; ++size) EXPECT_THROW(parse_stl(ascii.substr(0, size), "cut"), InputError);
 }

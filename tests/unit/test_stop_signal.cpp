@@ -37,7 +37,9 @@ TEST(StopSignal, OneThatIsIgnoredStaysIgnored)
 
 TEST(StopSignal, NothingIsCaughtAfterwards)
 {
-    { StopSignals const caught; }
+    {
+        StopSignals const caught;
+    }
     EXPECT_EXIT(std::raise(SIGTERM), testing::KilledBySignal(SIGTERM), "");
 }
 

@@ -53,8 +53,7 @@ TEST(Streamlines, AreStraightThroughTheBoxInAUniformFlow)
         lowest = std::min(lowest, point.x);
         highest = std::max(highest, point.x);
     }
-    Real const last_step =
-        0.5 * std::sqrt(3.0) / 8; // half a cell diagonal: the step that would leave the box is not made
+    Real const last_step = 0.5 * std::sqrt(3.0) / 8; // half a cell diagonal: the step that would leave the box is not made
     EXPECT_LT(lowest, last_step);
     EXPECT_GT(highest, 1 - last_step);
     ASSERT_EQ(both.point_data.size(), 2u);

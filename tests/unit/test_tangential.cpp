@@ -5,18 +5,16 @@
 
 #include <gtest/gtest.h>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 TEST(Tangential, TransportKeepsTheLengthAndThePlane)
 {
     Vec3 const before = normalized({1, 2, 3});
     Vec3 const spring = 1e-7 * normalized(cross(before, {0, 0, 1}));
     for (Real const angle : {1e-9, 1e-4, 0.5, 2.0}) {
-        Vec3 const after = normalized(before + std::tan(angle / 2) *
-                                                   (normalized(cross(before, {1, 0, 0})) + 0.3 * normalized(spring)));
+        Vec3 const after =
+            normalized(before + std::tan(angle / 2) * (normalized(cross(before, {1, 0, 0})) + 0.3 * normalized(spring)));
         Vec3 const carried = transport_spring(spring, before, after, 0);
         EXPECT_NEAR(norm(carried) / norm(spring), 1, 1e-14);
         EXPECT_NEAR(dot(carried, after) / norm(spring), 0, 1e-14);
@@ -41,8 +39,8 @@ TEST(Tangential, RigidTurnDoesNotSlip)
         Real const c = std::cos(angle), s = std::sin(angle);
         Vec3 const after = c * before + s * cross(axis, before) + ((1 - c) * dot(axis, before)) * axis;
         Vec3 const spin = (angle / dt) * axis;
-        Vec3 const velocity =
-            surface_velocity((distance / dt) * (after - before), distance * step_spin(spin, dt), contact_turn(before, after), after);
+        Vec3 const velocity = surface_velocity((distance / dt) * (after - before), distance * step_spin(spin, dt),
+                                               contact_turn(before, after), after);
         Vec3 const slip = velocity - dot(velocity, after) * after;
         // The series of the tangent leaves angle^5 / 120; the difference of the normals leaves its rounding.
         EXPECT_LT(norm(slip) * dt / distance, std::pow(angle, 5) / 100 + 1e-15);
@@ -88,8 +86,7 @@ Real cycle_work(TangentialLaw law, bool shear_while_pressed)
     };
     move(out, slip);
     move(back, -slip);
-    Real const stiffness =
-        8 * pair.effective_shear_modulus * hertz_response(high, scale.effective_radius, 1).contact_radius;
+    Real const stiffness = 8 * pair.effective_shear_modulus * hertz_response(high, scale.effective_radius, 1).contact_radius;
     return work / (stiffness * slip * slip);
 }
 
@@ -102,16 +99,15 @@ TEST(Tangential, WorkOfShearCycles)
     EXPECT_NEAR(cycle_work(TangentialLaw::incremental, false), 0.25, rounding);
     EXPECT_NEAR(cycle_work(TangentialLaw::incremental, true), -0.25, rounding); // makes energy, and keeps a force
     EXPECT_GT(cycle_work(TangentialLaw::rescaled, true), 0.25);
-    EXPECT_NEAR(cycle_work(TangentialLaw::rescaled, false), -0.25, rounding); // rescales on unloading only
+    EXPECT_NEAR(cycle_work(TangentialLaw::rescaled, false), -0.25, rounding);   // rescales on unloading only
     EXPECT_NEAR(cycle_work(TangentialLaw::dissipative, true), 0.25, rounding);  // as secant
     EXPECT_NEAR(cycle_work(TangentialLaw::dissipative, false), 0.25, rounding); // as incremental
 }
 
 TEST(Tangential, DryPairsFeelTheSameUnderEveryLaw)
 {
-    PairConstants const pair =
-        make_pair(with(sand(), 0.8, 0.2), with(sand(), 0.8, 0.2),
-                  contact_settings(NormalLaw::hertz, DampingLaw::restitution, TangentialLaw::secant));
+    PairConstants const pair = make_pair(with(sand(), 0.8, 0.2), with(sand(), 0.8, 0.2),
+                                         contact_settings(NormalLaw::hertz, DampingLaw::restitution, TangentialLaw::secant));
     ContactGeometry<> const contact{normalized({1, 1, 0}), 1e-7, {0.1, 0.3, -0.2}, contact_scale(sand(), 1e-4, 2e-4)};
     ContactState<> dry, cemented;
     EXPECT_TRUE(DrySand{}(contact, pair, dry, 1e-8) == CementedSand{}(contact, pair, cemented, 1e-8));

@@ -26,8 +26,7 @@ TEST(TimeSeries, WritesHeaderRowsEmptyCellsAndQuotes)
 
 TEST(TimeSeries, RealsReadBackToTheSameBits)
 {
-    for (Real const value :
-         {0.1 + 0.2, 1.0 / 3, std::numeric_limits<Real>::denorm_min(), -0.0, 1.7976931348623157e308}) {
+    for (Real const value : {0.1 + 0.2, 1.0 / 3, std::numeric_limits<Real>::denorm_min(), -0.0, 1.7976931348623157e308}) {
         Real const read = std::strtod(Cell(value).text.c_str(), nullptr);
         EXPECT_EQ(read, value);
         EXPECT_EQ(std::signbit(read), std::signbit(value));
@@ -44,7 +43,7 @@ TEST(TimeSeries, ResumeDropsLaterRowsAndTheRowThatAKillCutShort)
         table.flush();
     }
     EXPECT_EQ(content_of(folder / "t.csv"), "step,x\n10,a\n20,b\n25,d\n");
-    TimeSeries fresh(folder / "t.csv", {"step", "x"}); // without a step to keep, an old table goes
+    TimeSeries fresh(folder / "t.csv", {"step", "x"});                     // without a step to keep, an old table goes
     EXPECT_EQ(content_of(folder / "t.csv"), "step,x\n10,a\n20,b\n25,d\n"); // but not before the run writes
     fresh.flush();
     EXPECT_EQ(content_of(folder / "t.csv"), "step,x\n");
@@ -64,16 +63,14 @@ TEST(TimeSeries, ResumeRefusesATableOfOtherColumns)
 {
     test::ScratchFolder const folder;
     test::put(folder / "t.csv", "step,y\n10,a\n");
-    auto const message = message_of<InputError>([&] {
-        TimeSeries(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20, ""});
-    });
+    auto const message =
+        message_of<InputError>([&] { TimeSeries(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20, ""}); });
     EXPECT_TRUE(contains(message, "t.csv"));
     EXPECT_TRUE(contains(message, "step,x"));
     EXPECT_TRUE(contains(message, "step,y"));
     test::put(folder / "t.csv", "step,x\nabc,a\n");
-    auto const no_number = message_of<InputError>([&] {
-        TimeSeries(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20, ""});
-    });
+    auto const no_number =
+        message_of<InputError>([&] { TimeSeries(folder / "t.csv", {"step", "x"}, TimeSeries::Keep{"step", 20, ""}); });
     EXPECT_TRUE(contains(no_number, "abc,a"));
     EXPECT_EQ(content_of(folder / "t.csv"), "step,x\nabc,a\n");
 }
@@ -102,13 +99,12 @@ TEST(History, ColumnsFollowFromTheSceneAndMissingValuesAreEmpty)
     row.porosity = 0.41;
     history.add(row);
     history.flush();
-    EXPECT_EQ(
-        content_of(folder / "history.csv"),
-        "time,stage,step,grains,contacts,bonds,kinetic_energy,porosity,coordination,produced_mass,produced_count,"
-        "max_overlap_ratio,force_lid_x,force_lid_y,force_lid_z,pressure_iterations,pressure_residual,continuity_error,"
-        "courant,inflow,outflow,probe_p\n"
-        "0.5,fill,100,3,0,0,0,,,0,0,0,1,2,3,,,,,,,\n"
-        "0.5,fill,100,3,0,0,0,0.41,,0,0,0,,,,4,1e-09,1e-12,0.5,2,3,\n");
+    EXPECT_EQ(content_of(folder / "history.csv"),
+              "time,stage,step,grains,contacts,bonds,kinetic_energy,porosity,coordination,produced_mass,produced_count,"
+              "max_overlap_ratio,force_lid_x,force_lid_y,force_lid_z,pressure_iterations,pressure_residual,continuity_error,"
+              "courant,inflow,outflow,probe_p\n"
+              "0.5,fill,100,3,0,0,0,,,0,0,0,1,2,3,,,,,,,\n"
+              "0.5,fill,100,3,0,0,0,0.41,,0,0,0,,,,4,1e-09,1e-12,0.5,2,3,\n");
 }
 
 TEST(ProducedLedger, ResumeKeepsGrainsUpToTheCheckpointsTimeExactly)

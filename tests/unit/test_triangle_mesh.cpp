@@ -68,8 +68,7 @@ struct Mesh {
     MeshData data;
     MeshPart part;
     HostMesh views;
-    explicit Mesh(std::vector<Triangle> const& triangles)
-        : part(append_mesh(data, triangles, "mesh")), views(upload(data))
+    explicit Mesh(std::vector<Triangle> const& triangles) : part(append_mesh(data, triangles, "mesh")), views(upload(data))
     {
     }
 };
@@ -115,9 +114,7 @@ TEST(TriangleMesh, ConvexBodiesTouchOnceAtTheNearestPoint)
             Real const radius = 0.3, brute = brute_distance(*mesh, x);
             Touch const found = touch(*mesh, x, radius);
             ASSERT_EQ(found.count, brute < radius ? 1 : 0) << x.x << " " << x.y << " " << x.z;
-            if (found.count) {
-                ASSERT_NEAR(found.nearest.distance, brute, 1e-12);
-            }
+            if (found.count) { ASSERT_NEAR(found.nearest.distance, brute, 1e-12); }
         }
 }
 
@@ -125,13 +122,13 @@ TEST(TriangleMesh, DiagonalsEdgesAndCornersAreCountedOnce)
 {
     Mesh const box(box_mesh({-1, -1, -1}, {1, 1, 1}, false));
     Real const radius = 0.1;
-    EXPECT_EQ(touch(box, {0, 0, 1.05}, radius).count, 1);          // over the diagonal of a face
-    EXPECT_EQ(touch(box, {0.25, 0.25, 1.05}, radius).count, 1);    // on it again
+    EXPECT_EQ(touch(box, {0, 0, 1.05}, radius).count, 1);       // over the diagonal of a face
+    EXPECT_EQ(touch(box, {0.25, 0.25, 1.05}, radius).count, 1); // on it again
     EXPECT_EQ(touch(box, {-0.25, 0.25, 1.05}, radius).count, 1);
-    EXPECT_EQ(touch(box, {0, 1.05, 1.05}, radius).count, 1);       // an edge
-    EXPECT_EQ(touch(box, {1, 0.3, 1.05}, radius).count, 1);        // exactly over an edge
-    EXPECT_EQ(touch(box, {1, 1, 1.05}, radius).count, 1);          // exactly over a corner
-    EXPECT_EQ(touch(box, {1.05, 1.05, 1.05}, radius).count, 1);    // a corner
+    EXPECT_EQ(touch(box, {0, 1.05, 1.05}, radius).count, 1);    // an edge
+    EXPECT_EQ(touch(box, {1, 0.3, 1.05}, radius).count, 1);     // exactly over an edge
+    EXPECT_EQ(touch(box, {1, 1, 1.05}, radius).count, 1);       // exactly over a corner
+    EXPECT_EQ(touch(box, {1.05, 1.05, 1.05}, radius).count, 1); // a corner
     EXPECT_NEAR(touch(box, {1.05, 1.05, 1.05}, radius).nearest.distance, 0.05 * std::sqrt(3.), 1e-14);
 }
 

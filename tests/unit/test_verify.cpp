@@ -7,10 +7,8 @@
 
 #include <limits>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 TEST(VerifyTable, ErrorsAreRelativeUnlessTheReferenceIsZero)
 {

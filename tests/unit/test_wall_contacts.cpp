@@ -151,7 +151,8 @@ TEST(WallContacts, MemorySurvivesSearchSortAndCheckpoint)
 TEST(WallContacts, IncidenceNamesEveryRowOnceByElement)
 {
     Vec3 const lower{0, 0, 0}, upper{3e-3, 3e-3, 3e-3};
-    WallScene scene(random_grains(500, lower, upper, 5), {plane({0, 0, 0}, {0, 0, 1}), box_wall(lower, upper, true)}, sand());
+    WallScene scene(random_grains(500, lower, upper, 5), {plane({0, 0, 0}, {0, 0, 1}), box_wall(lower, upper, true)},
+                    sand());
     scene.start(1e-7, {});
     int const count = scene.wall_contacts.count;
     auto const host = [](auto const& view) { return Kokkos::create_mirror_view_and_copy(HostSpace(), view); };
@@ -165,9 +166,7 @@ TEST(WallContacts, IncidenceNamesEveryRowOnceByElement)
             ++seen[c];
             EXPECT_EQ(row(c), i);
             EXPECT_EQ(row_id(c), id(i));
-            if (k > begin(i)) {
-                EXPECT_GT(element(c), element(contact(k - 1)));
-            }
+            if (k > begin(i)) { EXPECT_GT(element(c), element(contact(k - 1))); }
         }
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), count);
 }

@@ -156,16 +156,14 @@ TEST(WallGeometry, ALargeGrainIsHeldInTheMiddleOfAHole)
         EXPECT_NEAR(norm(normal), 1, 1e-15);
         EXPECT_LE(normal.x, last); // towards the axis, more so farther out
         last = normal.x;
-        if (radial == 0) {
-            EXPECT_DOUBLE_EQ(normal.z, 1);
-        }
+        if (radial == 0) { EXPECT_DOUBLE_EQ(normal.z, 1); }
     }
 }
 
 TEST(WallGeometry, GrainsAreThroughWhenWhollyPastThePlate)
 {
     Holes const holes{{{{0, 0, 0}, 1}, {{5, 0, 0}, 1}}};
-    Vec3 const normal{0, 0, -1}; // grains are below the plate, they leave upwards
+    Vec3 const normal{0, 0, -1};                                         // grains are below the plate, they leave upwards
     EXPECT_EQ(hole_passed(normal, holes, 0, 2, {0, 0, 0.099}, 0.1), -1); // straddles
     EXPECT_EQ(hole_passed(normal, holes, 0, 2, {0, 0, 0.1}, 0.1), 0);
     EXPECT_EQ(hole_passed(normal, holes, 0, 2, {4.5, 0, 0.3}, 0.1), 1);

@@ -44,8 +44,7 @@ Real area_of(PolyPiece const& piece)
     for (std::int64_t const end : piece.offsets) {
         Vec3 sum;
         for (std::int64_t i = begin + 1; i + 1 < end; ++i)
-            sum +=
-                cross(corner_of(piece, i) - corner_of(piece, begin), corner_of(piece, i + 1) - corner_of(piece, begin));
+            sum += cross(corner_of(piece, i) - corner_of(piece, begin), corner_of(piece, i + 1) - corner_of(piece, begin));
         area += norm(sum) / 2;
         begin = end;
     }

@@ -41,7 +41,8 @@ TEST(Balance, CollisionLosesWhatRestitutionTakes)
     double residual[3];
     for (int n = 0; n < 3; ++n) {
         double const dt = 8e-9 / (1 << n);
-        auto const rows = run(scenes + "/collision.toml", {"stages.collision.time_step=" + std::to_string(dt * 1e9) + "e-9"});
+        auto const rows =
+            run(scenes + "/collision.toml", {"stages.collision.time_step=" + std::to_string(dt * 1e9) + "e-9"});
         double const start = number(rows.front(), "kinetic_energy"), lost = number(rows.back(), "loss_damping");
         EXPECT_NEAR(lost / start, 1 - 0.8 * 0.8, 1e-3); // of the step; the sheet itself is closer
         EXPECT_NEAR((start - number(rows.back(), "kinetic_energy")) / lost, 1, 2e-5);
@@ -62,7 +63,8 @@ TEST(Balance, BondTakesTheWorkOfPeelingFromBToC)
         if (row.at("stage") == "pull") pulled = &row;
     ASSERT_NE(pulled, nullptr);
     constexpr double pi = std::numbers::pi, gamma = 30, radius = 0.0575e-3;
-    double const modulus = 2e10 / (2 * (1 - 0.09)), length = std::cbrt(pi * pi * gamma * gamma * radius / (modulus * modulus));
+    double const modulus = 2e10 / (2 * (1 - 0.09)),
+                 length = std::cbrt(pi * pi * gamma * gamma * radius / (modulus * modulus));
     double const unit = pi * gamma * radius * length;
     double const at_B = jkr_potential(std::cbrt(9.)), at_C = jkr_potential(std::cbrt(9. / 4)); // s: 9^(1/3), (9/4)^(1/3)
     EXPECT_NEAR(number(*pulled, "work_held") / ((at_C - at_B) * unit), 1, 1e-3); // the file's overlap is B to 1e-3

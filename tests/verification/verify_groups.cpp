@@ -7,18 +7,16 @@
 #include <cstdlib>
 #include <iostream>
 
-namespace arenite
-{
-namespace
-{
+namespace arenite {
+namespace {
 
 void expect_all_pass(std::string const& group)
 {
     std::vector<VerifyCase> const cases = run_verification(group);
     EXPECT_FALSE(cases.empty());
     for (VerifyCase const& row : cases)
-        EXPECT_TRUE(row.pass) << row.name << ", " << row.quantity << ": " << row.value << ", reference "
-                              << row.reference << ", error " << row.error << " over " << row.limit;
+        EXPECT_TRUE(row.pass) << row.name << ", " << row.quantity << ": " << row.value << ", reference " << row.reference
+                              << ", error " << row.error << " over " << row.limit;
     if (std::getenv("ARENITE_SHOW_TABLE")) std::cout << verification_table(cases);
 }
 

@@ -7,8 +7,7 @@
 
 using namespace arenite;
 
-namespace
-{
+namespace {
 
 TEST(MovingPorosity, CellEmptiedInOneStepStaysBounded)
 {

@@ -74,9 +74,7 @@ TEST(VerifyWalls, InclineRollsAndSlidesOnPlaneAndOnFacets)
             scene->run(20000);
             Grain const end = scene->grain_of(0);
             EXPECT_NEAR((end.velocity.x - v0) / (20000 * 1e-6) / expected, 1, 1e-6) << degrees;
-            if (rolls) {
-                EXPECT_NEAR(end.spin.y * (diameter / 2 - overlap) / end.velocity.x, 1, 1e-3);
-            }
+            if (rolls) { EXPECT_NEAR(end.spin.y * (diameter / 2 - overlap) / end.velocity.x, 1, 1e-3); }
         }
         Grain const a = flat.grain_of(0), b = facets.grain_of(0);
         EXPECT_GT(a.position.x, 4e-4); // some facets of 0.25 mm further
@@ -102,7 +100,8 @@ TEST(VerifyWalls, GrainRestsOnTheRimOfASmallerHole)
 
 TEST(VerifyWalls, GrainFallsThroughALargerHoleAndIsThrough)
 {
-    WallScene scene({grain({1e-4, 0, 1e-3}, diameter), grain({5e-3, 0, 0.5e-3}, diameter)}, {plate_with_hole(1.4e-3)}, sand());
+    WallScene scene({grain({1e-4, 0, 1e-3}, diameter), grain({5e-3, 0, 0.5e-3}, diameter)}, {plate_with_hole(1.4e-3)},
+                    sand());
     scene.start(2e-6, {0, 0, -gravity}, {open_hole()});
     scene.run(15000);
     Grain const falls = scene.grain_of(0), stays = scene.grain_of(1);
@@ -169,7 +168,8 @@ TEST(VerifyWalls, MomentumOfAFastRodIsItsImpulse)
     std::vector<Grain> grains;
     for (int a = 0; a < 6; ++a)
         for (int b = 0; b < 6; ++b)
-            for (int c = 0; c < 4; ++c) grains.push_back(grain({a * 1.02e-3 - 2.5e-3, b * 1.02e-3 - 2.5e-3, c * 1.02e-3 + 0.51e-3}, diameter));
+            for (int c = 0; c < 4; ++c)
+                grains.push_back(grain({a * 1.02e-3 - 2.5e-3, b * 1.02e-3 - 2.5e-3, c * 1.02e-3 + 0.51e-3}, diameter));
     WallSettings rod;
     rod.name = "rod";
     rod.material = "sand";
@@ -189,7 +189,8 @@ TEST(VerifyWalls, MomentumOfAFastRodIsItsImpulse)
     Vec3 impulse;
     for (int n = 0; n < 3000; ++n) {
         scene.step();
-        for (WallReaction const& r : measure_walls(scene.particles, scene.walls, scene.wall_contacts)) impulse -= dt * r.force;
+        for (WallReaction const& r : measure_walls(scene.particles, scene.walls, scene.wall_contacts))
+            impulse -= dt * r.force;
     }
     Vec3 momentum;
     Real most = 0;
