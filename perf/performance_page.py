@@ -170,9 +170,13 @@ def prediction(tables: Tables) -> str:
             table(["scene", "stage", "threads", "steps expected", "taken", "s expected", "taken", "ratio"], body))
 
 
+OWN_PAGES = ("speed_error",)  # tables that docs/ has a page for
+
+
 def others(tables: Tables) -> str:
     parts = []
     for name in tables.others():
+        if name in OWN_PAGES: continue
         comments, rows = tables.get(name)
         if rows and None not in rows[0]:
             parts.append(f"### {name}\n\n{quote(comments)}\n{table(list(rows[0]), [[value or '' for value in row.values()] for row in rows])}")
