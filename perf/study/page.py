@@ -67,8 +67,8 @@ def samples(rows: list[Row]) -> str:
         bonds, lost = number(row, "bonds_pressed"), bonds_lost(row, "pressed", "perforated")
         lines.append([f"`{row['case']}`", row["what"], shown(number(row, "grains"), ".0f"), row["porosity"], row["contacts_per_grain"],
                       shown(bonds, ".0f"), shown(lost / bonds if bonds and lost is not None else None, ".1f", 100),
-                      shown(number(row, "wall_pressing_s"), ".0f"), shown(number(row, "wall_perforation_s"), ".0f")])
-    return table(["case", "what", ">grains", ">porosity", ">contacts a grain", ">bonds", ">broken by the rod [%]", ">pressing [s]",
+                      shown(number(row, "largest_overlap_perforation"), ".2f"), shown(number(row, "wall_pressing_s"), ".0f"), shown(number(row, "wall_perforation_s"), ".0f")])
+    return table(["case", "what", ">grains", ">porosity", ">contacts a grain", ">bonds", ">broken by the rod [%]", ">largest overlap / R", ">pressing [s]",
                   ">perforation [s]"], lines) + "\n"
 
 

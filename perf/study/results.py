@@ -57,6 +57,12 @@ def resumed_within(run: Run, name: str) -> bool:
     return False
 
 
+def largest(run: Run, stage_name: str, column: str) -> float | None:
+    """Of the column's rows in a stage, None without any."""
+    rows = run.rows_of(stage_name)
+    return float(run.history.numbers(column)[rows].max()) if rows.size and column in run.history else None
+
+
 def hardware(run: Run) -> str:
     """What the run ran on, as its summary says."""
     machine = run.summary.get("machine") or {}
@@ -78,6 +84,7 @@ def row_of(name: str, folder: pathlib.Path) -> Row | None:
         "case": name, "what": CASES[name].note, "k": text(run.scene.factor, "g"), "scheme": run.scene.scheme,
         "grains": text(pressed.get("grains")), "porosity": text(pressed.get("porosity"), ".4f"),
         "contacts_per_grain": text(pressed.get("coordination"), ".3f"), "bonds_pressed": text(pressed.get("bonds")),
+        "largest_overlap_perforation": text(largest(run, "perforation", "max_overlap_ratio"), ".3f"),
         "bonds_perforated": text(perforated.get("bonds")), "bonds_end": text(int(bonds[-1])),
         "production_s": text(curve.end), "time_step_s": text(run.scene.production().get("time_step")),
         "produced_kg": text(curve.total), "produced_grains": text(len(run.produced)),
