@@ -84,7 +84,7 @@ def mass_and_grains(row: Row) -> str:
 def crushed(rows: list[Row]) -> list[str]:
     """Samples that the rod squeezes beyond what a contact law holds for."""
     found = {row["case"]: value(row, "largest_overlap_perforation") for row in rows if f"{row['case']}-perforated" == CASES[row["case"]].start}
-    beyond = {case: overlap for case, overlap in found.items() if overlap > 0.3}
+    beyond = {case: overlap for case, overlap in found.items() if overlap > 0.4}
     if not beyond:
         return []
     return ["- **The rod stops 0.5 mm above the bottom plate**, less than a grain of k = 4. Grains that it catches there overlap by " +

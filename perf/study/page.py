@@ -157,7 +157,7 @@ def page(rows: list[Row], where: dict[str, str]) -> str:
         balance = energy(controls)
         if balance:
             parts.append("\nEnergy over the production:\n\n" + balance)
-    others = [row for row in rows if row["case"].removesuffix("-no-fluid") in OTHER_SAMPLES]
+    others = [row for case in OTHER_SAMPLES for row in rows if row["case"].removesuffix("-no-fluid") == case]
     if any("seed" in row["case"] for row in others):
         parts.append("\n## Three samples of k = 4, with and without water\n\n" + productions(others))
     for name, caption in findings.FIGURES.items():
