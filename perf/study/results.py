@@ -18,6 +18,7 @@ from cases import CASES  # noqa: E402
 
 Row = dict[str, str]
 MOMENTS = (0.003, 0.015, 0.04)  # s of production, as the paper's figs 9 and 11
+EARLY, EARLY_TERMS = 0.005, ("work_drag", "loss_tangential", "loss_damping")  # s of production
 ENERGY_TERMS = ("elastic_energy", "adhesive_energy", "tangential_energy", "kinetic_energy", "rotation_energy")
 WORK_TERMS = ("work_gravity", "work_drag", "work_pressure", "work_walls", "loss_damping", "loss_tangential", "loss_adhesion", "energy_removed",
               "energy_residual")
@@ -45,6 +46,18 @@ def energy_changes(run: Run) -> Row:
     for term in WORK_TERMS:
         row[f"{term}_J"] = text(run.history.numbers(term)[rows[-1]])
     return row
+
+
+def works_early(run: Run) -> Row:
+    """J, works and losses of the production up to EARLY: what runs of different length have in common."""
+    rows = run.rows_of("production")
+    if rows.size < 2 or "loss_tangential" not in run.history:
+        return {}
+    since = run.history.numbers("time")[rows] - run.span_of("production")[0]
+    if since[-1] < EARLY * (1 - 1e-6):
+        return {}
+    row = rows[int(abs(since - EARLY).argmin())]
+    return {f"{term}_at_{1e3 * EARLY:g}ms_J": text(run.history.numbers(term)[row]) for term in EARLY_TERMS}
 
 
 def resumed_within(run: Run, name: str) -> bool:
@@ -94,7 +107,7 @@ def row_of(name: str, folder: pathlib.Path) -> Row | None:
     }
     for moment in MOMENTS:
         row[f"produced_at_{1e3 * moment:g}ms_kg"] = text(float(curve.at([moment])[0])) if curve.end >= moment * (1 - 1e-6) else ""
-    row |= energy_changes(run)
+    row |= energy_changes(run) | works_early(run)
     for name_, label in (("compression", "pressing"), ("perforation", "perforation"), ("production", "production")):
         row[f"wall_{label}_s"] = "" if resumed_within(run, name_) else text(numbers.wall_time(run, name_), ".0f")
     row["on"] = hardware(run)
