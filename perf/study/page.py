@@ -46,7 +46,8 @@ Scenes: `scenes/paper/*.toml`; every choice that the paper leaves open is marked
 sample of 18 × 18 × 9 mm is made and pressed to 1 MPa at a porosity of 0.41; all touching grains are bonded (modified JKR, γ = 30 J/m² times k,
 a broken bond stays broken); a rod of 1.7 mm goes in 8.5 mm deep and out again; then the hole of 2.6 mm in the top plate opens, with water
 injected from both sides at 0.1 mm/s (Di Felice's drag, fluid step 1 µs). Grains that pass the hole are counted. Time steps:
-`speed_error.md`. k = 4 is the whole study with 4 219 grains: it is cheap, so controls and other samples are run there first.
+`speed_error.md`. k = 4 is the whole study with 4 219 grains: it is cheap, so controls and other samples are run there first:
+three seeds at k = 4, one at k = 2 and at k = 1 (the perforation alone of another at k = 2 takes half an hour of one thread).
 `drawdown-*` is `scenes/drawdown.toml` (4 200 grains, k = 2, bonds a hundredth of the paper's), one perforated sample under a series of pressures of
 the reservoir above the well's.
 """
