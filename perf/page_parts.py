@@ -12,11 +12,10 @@ def machine():
     return f"{measure.cpu_model()}, {measure.cores()} cores"
 
 
-def commit():
-    """Short hash of the working tree's commit."""
-    shown = subprocess.run(
-        ["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True
-    ).stdout.strip()
+def commit(marked=False):
+    """Short hash of the working tree's commit; marked: with -modified where tracked files differ from it."""
+    command = ["git", "-C", ROOT, "describe", "--always", "--exclude=*", *(["--dirty=-modified"] if marked else [])]
+    shown = subprocess.run(command, capture_output=True, text=True).stdout.strip()
     return shown or "unknown"
 
 

@@ -52,7 +52,7 @@ FINDINGS = """
 | --- | --- |
 | D9: MFIX DEM01 | its contact is a linear spring; no law of a scene is. D10 is run with Hertz contacts for the same reason |
 | F1: Re 400 | in the convergence test `converge_cavity`, 32^2 and 64^2 |
-| F1: Re 400 and 1000, 32^2 to 160^2 | minutes on one core: in the convergence test `converge_cavity_gates`, run by name (`ctest -C long -L long`) |
+| F1: Re 400 to 128^2, Re 1000 to 160^2 | minutes on one core: in the convergence test `converge_cavity_gates`, run by name (`ctest -C long -L long`) |
 | F5: viscous forms A1, A3 | the solver has n div(tau) (A2) only |
 | F9: 128^3 cells | in the convergence test `converge_pressure_solver` |
 | C2: d/x = 4 | 1e5 cells for one grain; d/x = 2 shows the same slip as 1 |

@@ -107,8 +107,8 @@ void run(int cells, int repeats, std::string const& folder)
     FlowReport report;
     double const whole = median_seconds(repeats, [&] { report = advance_flow(flow, boundary, solver, step); });
     TimeDerivative const time = time_derivative(solver, step);
-    predict_velocity(flow, boundary, solver,
-                     time); // leaves what a step's pressure has to correct; a solve does not change it
+    // Leaves what a step's pressure has to correct; a solve does not change it.
+    predict_velocity(flow, boundary, solver, time);
     KrylovReport pressure;
     double const solve = median_seconds(repeats, [&] { pressure = solve_pressure(flow, boundary, solver, time); });
     if (!folder.empty()) write_system(folder, flow, boundary, solver, time);

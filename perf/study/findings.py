@@ -6,7 +6,7 @@ from __future__ import annotations
 import statistics
 
 from cases import CASES
-from results import Row, number  # and perf/ on the path
+from results import EARLY, Row, early_column, number  # and perf/ on the path
 
 import measure
 from page_parts import table
@@ -84,13 +84,13 @@ def mass_and_grains(row: Row) -> str:
 def paper_step(rows: list[Row]) -> list[str]:
     """What the paper's time step changes over what both runs have simulated."""
     own, small = find(rows, "ssw-k4"), find(rows, "ssw-k4-paper-step")
-    terms = {"loss_tangential_at_5ms_J": "what is lost in contact planes", "loss_damping_at_5ms_J": "in dashpots",
-             "work_drag_at_5ms_J": "and the work of drag"}
+    named = {"loss_tangential": "what is lost in contact planes", "loss_damping": "in dashpots", "work_drag": "and the work of drag"}
+    terms = {early_column(term): name for term, name in named.items()}
     if not own or not small or not all(value(row, term) for row in (own, small) for term in terms):
         return []
     changes = ", ".join(f"{name} by {100 * (value(small, term) / value(own, term) - 1):+.2g} %" for term, name in terms.items())
     same = "; as many bonds and as much sand" if all(own[c] == small[c] for c in ("bonds_end", "produced_kg")) else ""
-    return [f"- **The paper's step** (1e-8 s against {value(own, 'time_step_s'):g} s at k = 4) changes, over 5 ms, {changes}{same}."]
+    return [f"- **The paper's step** (1e-8 s against {value(own, 'time_step_s'):g} s at k = 4) changes, over {1e3 * EARLY:g} ms, {changes}{same}."]
 
 
 def crushed(rows: list[Row]) -> list[str]:
@@ -99,11 +99,11 @@ def crushed(rows: list[Row]) -> list[str]:
     beyond = {case: overlap for case, overlap in found.items() if overlap > 0.4}
     if not beyond:
         return []
+    within = [overlap for case, overlap in found.items() if case not in beyond and overlap > 0]
     return ["- **The rod stops 0.5 mm above the bottom plate**, less than a grain of k = 4. Grains that it catches there overlap by " +
             ", ".join(f"{overlap:.2f} R (`{case}`)" for case, overlap in beyond.items()) +
-            "; contact laws hold to 0.1 (which no sample keeps: the others reach " +
-            f"{min(o for c, o in found.items() if c not in beyond and o > 0):.2f} to {max(o for c, o in found.items() if c not in beyond):.2f}). "
-            "So the bottom of a hole at k = 4 is none to believe, one more way in which so coarse a sample fails."]
+            "; contact laws hold to 0.1" + (f" (which no sample keeps: the others reach {min(within):.2f} to {max(within):.2f})" if within else "") +
+            ". So the bottom of a hole at k = 4 is none to believe, one more way in which so coarse a sample fails."]
 
 
 def drawdown_cases() -> list[str]:

@@ -68,9 +68,10 @@ def samples(rows: list[Row]) -> str:
         bonds, lost = number(row, "bonds_pressed"), bonds_lost(row, "pressed", "perforated")
         lines.append([f"`{row['case']}`", row["what"], shown(number(row, "grains"), ".0f"), row["porosity"], row["contacts_per_grain"],
                       shown(bonds, ".0f"), shown(lost / bonds if bonds and lost is not None else None, ".1f", 100),
-                      shown(number(row, "largest_overlap_perforation"), ".2f"), shown(number(row, "wall_pressing_s"), ".0f"), shown(number(row, "wall_perforation_s"), ".0f")])
-    return table(["case", "what", ">grains", ">porosity", ">contacts a grain", ">bonds", ">broken by the rod [%]", ">largest overlap / R", ">pressing [s]",
-                  ">perforation [s]"], lines) + "\n"
+                      shown(number(row, "largest_overlap_perforation"), ".2f"), shown(number(row, "wall_pressing_s"), ".0f"),
+                      shown(number(row, "wall_perforation_s"), ".0f")])
+    return table(["case", "what", ">grains", ">porosity", ">contacts a grain", ">bonds", ">broken by the rod [%]", ">largest overlap / R",
+                  ">pressing [s]", ">perforation [s]"], lines) + "\n"
 
 
 def productions(rows: list[Row]) -> str:
@@ -107,8 +108,8 @@ def energy(rows: list[Row]) -> str:
     return table(["[µJ]", *(f">`{row['case']}`" for row in known)], lines) + "\n"
 
 
-OTHER_SAMPLES = ["ssw-k4", "ssw-k4-seed2", "ssw-k4-seed3"]  # the first with more controls than the one without water
 SAMPLES = [name for name, case in CASES.items() if case.start == f"{name}-perforated"]
+K4_SAMPLES = [name for name in SAMPLES if name.startswith("ssw-k4")]
 CONTROLLED = {"ssw": "Controls of `ssw`: one thing changed", "ssw-k4": "Controls of `ssw-k4`: one thing changed",
               "drawdown-20": "A series of drawdowns"}
 
@@ -158,9 +159,9 @@ def page(rows: list[Row], where: dict[str, str]) -> str:
         balance = energy(controls)
         if balance:
             parts.append("\nEnergy over the production:\n\n" + balance)
-    others = [row for case in OTHER_SAMPLES for row in rows if row["case"].removesuffix("-no-fluid") == case]
+    others = [row for case in K4_SAMPLES for row in rows if row["case"].removesuffix("-no-fluid") == case]
     if any("seed" in row["case"] for row in others):
-        parts.append("\n## Three samples of k = 4, with and without water\n\n" + productions(others))
+        parts.append("\n## Samples of k = 4, with and without water\n\n" + productions(others))
     for name, caption in findings.FIGURES.items():
         if (FIGURES / name).exists():
             parts.append(f"\n![{caption}](study/{name})\n\n*{caption}*\n")

@@ -48,6 +48,10 @@ def energy_changes(run: Run) -> Row:
     return row
 
 
+def early_column(term: str) -> str:
+    return f"{term}_at_{1e3 * EARLY:g}ms_J"
+
+
 def works_early(run: Run) -> Row:
     """J, works and losses of the production up to EARLY: what runs of different length have in common."""
     rows = run.rows_of("production")
@@ -57,7 +61,7 @@ def works_early(run: Run) -> Row:
     if since[-1] < EARLY * (1 - 1e-6):
         return {}
     row = rows[int(abs(since - EARLY).argmin())]
-    return {f"{term}_at_{1e3 * EARLY:g}ms_J": text(run.history.numbers(term)[row]) for term in EARLY_TERMS}
+    return {early_column(term): text(run.history.numbers(term)[row]) for term in EARLY_TERMS}
 
 
 def resumed_within(run: Run, name: str) -> bool:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lid-driven cavity (F1 beyond `arenite verify fluid`): the steady state is reached, its extrema converge with
 // second order to those of another method, and its centre lines lie on the tables. Cavity takes seconds; CavityGates,
-// on 128^2, minutes.
+// on 128^2 and finer, minutes.
 #include "apps/verify/cavity_tables.hpp"
 
 #include <gtest/gtest.h>

@@ -19,6 +19,10 @@ import subprocess
 import sys
 import tempfile
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "perf"))
+from page_parts import commit  # noqa: E402
+
 # what, file, text, what it becomes, groups to ask
 MUTATIONS = [
     ("Hertz: 4/3 to 1.30", "kernels/contact/hertz.hpp", "return {Real(4) / 3 * effective_youngs_modulus",
@@ -71,7 +75,6 @@ MUTATIONS = [
 ]
 
 BUILD = "build/dev"
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def copy_tree(folder):
@@ -84,12 +87,6 @@ def copy_tree(folder):
         shutil.copyfile(source, target)
     if (ROOT / "deps").exists() and not (folder / "deps").exists():
         (folder / "deps").symlink_to(ROOT / "deps")
-
-
-def commit():
-    """Of the tree, marked where files differ from it."""
-    return subprocess.run(["git", "-C", ROOT, "describe", "--always", "--dirty=-modified", "--exclude=*", "--abbrev=12"], check=True,
-                          capture_output=True, text=True).stdout.strip()
 
 
 def build(folder):
@@ -149,7 +146,7 @@ def main():
     chosen = [m for m in MUTATIONS if arguments.only in m[0] or arguments.only in m[1]][arguments.skip:]
     if not chosen:
         sys.exit("no mutation holds that word")
-    lines = [f"Run at commit {commit()}, {datetime.date.today()}.", "", "| mutation | file | first row that fails |", "| --- | --- | --- |"]
+    lines = [f"Run at commit {commit(marked=True)}, {datetime.date.today()}.", "", "| mutation | file | first row that fails |", "| --- | --- | --- |"]
     survivors = 0
     print("\n".join(lines), flush=True)
     for mutation in chosen:
