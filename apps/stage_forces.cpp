@@ -70,7 +70,8 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
     std::vector<PairConstants> pairs = planned.pairs;
     if (friction >= 0)
         for (PairConstants& pair : pairs) pair.friction = friction;
-    AnyContactLaw const law = make_contact_law(pairs), wall_law = make_contact_law(planned.wall_pairs);
+    AnyContactLaw const law = make_contact_law(pairs, shared_material(state.particles)),
+                        wall_law = make_contact_law(planned.wall_pairs);
 
     StageForces forces;
     forces.needs = std::visit([](auto const& l) { return needs_of(l); }, law);

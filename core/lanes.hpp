@@ -16,6 +16,9 @@
 #define ARENITE_HOST_LANES
 #include <cstring>
 #include <experimental/simd>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 #endif
 
 namespace arenite {
@@ -58,8 +61,20 @@ KOKKOS_FORCEINLINE_FUNCTION LaneMask select(LaneMask const& mask, LaneMask const
 }
 KOKKOS_FORCEINLINE_FUNCTION bool any(LaneMask const& mask) { return any_of(mask); }
 KOKKOS_FORCEINLINE_FUNCTION bool all(LaneMask const& mask) { return all_of(mask); }
+#ifdef __AVX512F__
+// One instruction with the same answer, also for NaN; compilers see two in the comparison and the choice.
+KOKKOS_FORCEINLINE_FUNCTION Lanes larger(Lanes const& a, Lanes const& b)
+{
+    return Lanes(_mm512_max_pd(static_cast<__m512d>(a), static_cast<__m512d>(b)));
+}
+KOKKOS_FORCEINLINE_FUNCTION Lanes smaller(Lanes const& a, Lanes const& b)
+{
+    return Lanes(_mm512_min_pd(static_cast<__m512d>(a), static_cast<__m512d>(b)));
+}
+#else
 KOKKOS_FORCEINLINE_FUNCTION Lanes larger(Lanes const& a, Lanes const& b) { return select(a > b, a, b); }
 KOKKOS_FORCEINLINE_FUNCTION Lanes smaller(Lanes const& a, Lanes const& b) { return select(a < b, a, b); }
+#endif
 KOKKOS_FORCEINLINE_FUNCTION Lanes magnitude(Lanes const& a) { return abs(a); }
 KOKKOS_FORCEINLINE_FUNCTION Lanes square_root(Lanes const& a) { return sqrt(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Lanes const& a, int n) { return a[n]; }
@@ -142,6 +157,10 @@ struct Quad {
     {
         return {{factor * q[0], factor * q[1], factor * q[2], factor * q[3]}};
     }
+    KOKKOS_FUNCTION friend Quad operator-(Quad const& a, Quad const& b)
+    {
+        return {{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]}};
+    }
     KOKKOS_FUNCTION Quad& operator+=(Quad const& q)
     {
         for (int n = 0; n < 4; ++n) number[n] += q[n];
@@ -154,6 +173,16 @@ struct Quad {
     }
 };
 #endif
+
+/// x, y, z: a - b; w: a + b.
+KOKKOS_FORCEINLINE_FUNCTION Quad differences_and_sum(Quad const& a, Quad const& b)
+{
+#ifdef ARENITE_HOST_LANES
+    return a + Quad{-1, -1, -1, 1} * b;
+#else
+    return {{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] + b[3]}};
+#endif
+}
 
 KOKKOS_FORCEINLINE_FUNCTION Quad load_quad(Real const* from)
 {
@@ -220,7 +249,7 @@ using Octet __attribute__((vector_size(64))) = Real;
 template <class Quads> [[gnu::always_inline]] inline LaneRecords turn_eight(Quads const& quad)
 {
     Octet row[4]; // of lanes n and n + 4
-    for (int n = 0; n < 4; ++n) row[n] = __builtin_shufflevector(quad(n), quad(n + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+    for (int n = 0; n < 4; ++n) row[n] = _mm512_insertf64x4(_mm512_castpd256_pd512(quad(n)), quad(n + 4), 1);
     Octet const xz01 = __builtin_shufflevector(row[0], row[1], 0, 8, 2, 10, 4, 12, 6, 14);
     Octet const yw01 = __builtin_shufflevector(row[0], row[1], 1, 9, 3, 11, 5, 13, 7, 15);
     Octet const xz23 = __builtin_shufflevector(row[2], row[3], 0, 8, 2, 10, 4, 12, 6, 14);
@@ -245,10 +274,8 @@ template <class Places> [[gnu::always_inline]] inline void store_eight(LaneRecor
                           __builtin_shufflevector(xy0, zw0, 2, 3, 10, 11, 6, 7, 14, 15),
                           __builtin_shufflevector(xy1, zw1, 2, 3, 10, 11, 6, 7, 14, 15)};
     for (int n = 0; n < 4; ++n) {
-        Quad const low = __builtin_shufflevector(row[n], row[n], 0, 1, 2, 3),
-                   high = __builtin_shufflevector(row[n], row[n], 4, 5, 6, 7);
-        std::memcpy(place(n), &low, sizeof low);
-        std::memcpy(place(n + 4), &high, sizeof high);
+        _mm256_storeu_pd(place(n), _mm512_castpd512_pd256(row[n]));
+        _mm256_storeu_pd(place(n + 4), _mm512_extractf64x4_pd(row[n], 1));
     }
 }
 
@@ -275,6 +302,24 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int co
 #else
     Quad quads[lane_count];
     for (int n = 0; n < lane_count; ++n) quads[n] = load_record(records + 4 * static_cast<std::ptrdiff_t>(rows[n]));
+    return lanes_of(quads);
+#endif
+}
+
+/// join(record rows[n], record others[n]) in lane n, join being of Quads: one turn in place of two.
+template <class Join>
+KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_joined(Real const* records, int const* rows, int const* others,
+                                                    Join const& join)
+{
+    auto const quad = [&](int n) {
+        return join(load_record(records + 4 * static_cast<std::ptrdiff_t>(rows[n])),
+                    load_record(records + 4 * static_cast<std::ptrdiff_t>(others[n])));
+    };
+#ifdef ARENITE_EIGHT_LANES
+    return lanes_detail::turn_eight(quad);
+#else
+    Quad quads[lane_count];
+    for (int n = 0; n < lane_count; ++n) quads[n] = quad(n);
     return lanes_of(quads);
 #endif
 }

@@ -118,12 +118,14 @@ std::vector<PairConstants> make_pair_constants(Scene const& scene, StageSettings
     return pairs;
 }
 
-PairTable upload(std::vector<PairConstants> const& pairs)
+PairTable upload(std::vector<PairConstants> const& pairs, int grain_material)
 {
     int const n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(pairs.size()))));
     ARENITE_REQUIRE(static_cast<std::size_t>(n) * n == pairs.size(), "the pair table is not square");
     PairTable table;
     table.materials = n;
+    if (n == 1) grain_material = 0;
+    if (grain_material >= 0) table.shared = table.index(grain_material, grain_material);
     table.pairs = Kokkos::View<PairConstants*, MemorySpace>("pair_constants", pairs.size());
     Kokkos::View<PairConstants const*, HostSpace, Kokkos::MemoryUnmanaged> const host(pairs.data(), pairs.size());
     Kokkos::deep_copy(table.pairs, host);

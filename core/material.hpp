@@ -32,6 +32,7 @@ struct PairConstants {
 struct PairTable {
     Kokkos::View<PairConstants*, MemorySpace> pairs;
     int materials = 0;
+    int shared = -1; // index of the pair that all contacts between grains are of; -1: there are several
 
     KOKKOS_FUNCTION int index(int i, int j) const { return i * materials + j; }
     KOKKOS_FUNCTION PairConstants const& operator()(int index) const { return pairs(index); }
@@ -48,7 +49,8 @@ std::vector<PairConstants> make_pair_constants(Scene const& scene, StageSettings
 /// Constants of one pair. Throws nothing; a rigid material contributes no compliance.
 PairConstants make_pair(MaterialSettings const& a, MaterialSettings const& b, ContactSettings const& contact);
 
-PairTable upload(std::vector<PairConstants> const& pairs);
+/// grain_material: of all grains, or -1 where they differ.
+PairTable upload(std::vector<PairConstants> const& pairs, int grain_material = -1);
 
 /// beta of paper eq 33 with the square that its print lost: -ln e / sqrt(ln^2 e + pi^2).
 Real damping_ratio(Real restitution);

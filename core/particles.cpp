@@ -148,6 +148,21 @@ std::vector<Grain> download(Particles const& particles)
     return grains;
 }
 
+int shared_material(Particles const& particles)
+{
+    int lowest = -1, highest = -1;
+    View1<std::uint8_t> const material = particles.material;
+    if (particles.count > 0)
+        Kokkos::parallel_reduce(
+            "shared_material", RangePolicy(0, particles.count),
+            KOKKOS_LAMBDA(int i, int& low, int& high) {
+                low = Kokkos::min(low, static_cast<int>(material(i)));
+                high = Kokkos::max(high, static_cast<int>(material(i)));
+            },
+            Kokkos::Min<int>(lowest), Kokkos::Max<int>(highest));
+    return lowest == highest ? lowest : -1;
+}
+
 void permute(Particles& particles, View1<int> const& order)
 {
     int const count = static_cast<int>(order.extent(0));

@@ -61,6 +61,9 @@ Particles make_particles(std::vector<Grain> const& grains, std::vector<Real> con
 /// The owned grains as they are now, in row order.
 std::vector<Grain> download(Particles const& particles);
 
+/// Row of the material table that all owned grains have, or -1 where they differ (or there is none).
+int shared_material(Particles const& particles);
+
 /// Puts row order[i] into row i, for every View that is allocated; rows that order leaves out are dropped.
 /// order: [grains that stay] rows. Ghosts are dropped: whoever made them makes them anew.
 void permute(Particles& particles, View1<int> const& order);

@@ -17,8 +17,8 @@ namespace arenite {
 enum class BoxKind { closed, periodic, deforming };
 
 /// lane_count contacts, as the kernel below runs them. A struct and not a lambda, so that the law's compile-time
-/// choices can use `if constexpr` under nvcc.
-template <class Law, BoxKind kind> struct ContactEvaluation {
+/// choices can use `if constexpr` under nvcc. several: there are pairs of different materials.
+template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
     Law law;
     ContactList list;
     RecordView position, velocity, spin;
@@ -35,11 +35,12 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         int const c = block * lane_count;
         int const *const i = &list.first(c), *const j = &list.second(c);
         ask_for_later(j, position, velocity, spin);
-        LaneRecords const at_i = records_of(position, i), at_j = records_of(position, j);
-        Numbers offset = at_i.xyz - at_j.xyz;
+        LaneRecords const between =
+            load_joined(position.data(), i, j, [](Quad const& a, Quad const& b) { return differences_and_sum(a, b); });
+        Numbers offset = between.xyz;
         if constexpr (kind != BoxKind::closed)
             if (list.periodic) offset -= image_shifts(list, box, c);
-        Lanes const ri = at_i.w, rj = at_j.w, square = dot(offset, offset), reach = ri + rj;
+        Lanes const square = dot(offset, offset), reach = between.w;
         LaneMask active = square < reach * reach;
         ContactState<Lanes> state;
         if constexpr (Law::adheres) {
@@ -47,7 +48,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
             active = active || state.adhering;
         }
         if (!any(active)) return clear(c);
-        evaluate(c, i, j, offset, square_root(square), ri, rj, state);
+        evaluate(c, i, j, offset, square_root(square), reach, state);
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void clear(int c) const
@@ -61,8 +62,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void evaluate(int c, int const* i, int const* j, Numbers const& offset,
-                                              Lanes const& distance, Lanes const& ri, Lanes const& rj,
-                                              ContactState<Lanes>& state) const
+                                              Lanes const& distance, Lanes const& reach, ContactState<Lanes>& state) const
     {
         ContactGeometry<Lanes> contact;
         // Concentric grains have no line of centres: they part along z.
@@ -70,16 +70,15 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
         Lanes const inverse = select(apart, 1 / distance, Lanes(0));
         contact.normal = inverse * offset;
         contact.normal.z = select(apart, contact.normal.z, Lanes(1));
-        contact.overlap = ri + rj - distance;
+        contact.overlap = reach - distance;
         // Arms to the plane of contact; they add up to the distance. A grain wholly inside another has no such
         // plane: its arm stays its radius.
-        Lanes const sum = ri + rj;
-        Lanes const lead = smaller(larger((ri - rj) * sum * inverse, -sum), sum);
+        Lanes const difference = reach - 2 * records_of(position, j).w; // of the radii
+        Lanes const lead = smaller(larger(difference * reach * inverse, -reach), reach);
         Lanes const arm_i = Real(0.5) * (distance + lead), arm_j = Real(0.5) * (distance - lead);
-        Numbers approach = records_of(velocity, i).xyz - records_of(velocity, j).xyz;
+        Numbers approach = load_joined(velocity.data(), i, j, [](Quad const& a, Quad const& b) { return a - b; }).xyz;
         // The grains of a deforming box ride on its homogeneous flow, which their velocities do not hold.
         if constexpr (kind == BoxKind::deforming) approach += box.stretch_velocity(offset);
-        contact.velocity = approach;
         contact.scale = {load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), 0};
         if constexpr (Law::adheres) contact.scale.cube_root_of_radius = load_lanes(&list.scale(c, 2));
 
@@ -87,15 +86,17 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
             Numbers const spring{load_lanes(&list.spring(c, 0)), load_lanes(&list.spring(c, 1)),
                                  load_lanes(&list.spring(c, 2))};
             state.previous_radius = load_lanes(&list.spring(c, 3));
-            // The grains came here along straight lines: the last offset is known exactly.
-            Numbers previous = normalized_near(offset - dt * approach, inverse);
-            // Centres that passed each other within the step have no turn to follow.
-            previous = select(dot(previous, contact.normal) > Lanes(0), previous, contact.normal);
-            Numbers const spin_i = step_spin(records_of(spin, i).xyz, dt), spin_j = step_spin(records_of(spin, j).xyz, dt);
-            ContactTurn<Lanes> const turn = contact_turn(previous, contact.normal);
-            contact.velocity = surface_velocity(approach, arm_i * spin_i + arm_j * spin_j, turn, contact.normal);
-            Lanes const twist = Real(0.25) * dt * dot(spin_i + spin_j, turn.sum);
+            Lanes const normal_velocity = dot(approach, contact.normal);
+            ContactTurn<Lanes> const turn =
+                straight_turn(offset, distance, inverse, contact.normal, approach, normal_velocity, dt);
+            Numbers const spin_i = records_of(spin, i).xyz, spin_j = records_of(spin, j).xyz, spin_sum = spin_i + spin_j;
+            Lanes const factor = cayley_factor(spin_sum, dt);
+            Numbers const half_arm_spin = (Real(0.5) * factor) * (arm_i * spin_i + arm_j * spin_j);
+            contact.motion = surface_motion(approach, normal_velocity, half_arm_spin, turn, contact.normal);
+            Lanes const twist = Real(0.25) * dt * factor * dot(spin_sum, turn.sum);
             state.spring = transport_spring(spring, turn, contact.normal, twist);
+        } else {
+            contact.motion = surface_motion(approach, contact.normal);
         }
         store(c, contact, force_of(contact, i, j, state), state, arm_i, arm_j);
     }
@@ -103,7 +104,7 @@ template <class Law, BoxKind kind> struct ContactEvaluation {
     KOKKOS_FORCEINLINE_FUNCTION Numbers force_of(ContactGeometry<Lanes> const& contact, int const* i, int const* j,
                                                  ContactState<Lanes>& state) const
     {
-        if (law.pairs.materials == 1) return law(contact, law.pairs(0), state, dt); // nothing to select
+        if constexpr (!several) return law(contact, law.pairs(law.pairs.shared), state, dt);
         Numbers force;
         ContactState<Lanes> const before = state;
         for_each_material_pair(law.pairs, material, i, j, [&](PairConstants const& pair, LaneMask const& same) {
@@ -138,16 +139,20 @@ void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox c
                        Real dt, StepGate const& gate = {})
 {
     static_assert(contact_block % lane_count == 0);
-    auto const launch = [&](auto evaluation) {
+    auto const launch = [&](auto const& evaluation) {
         Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, blocks_of(contacts)), evaluation);
     };
-    auto const make = [&]<BoxKind kind>() {
-        return ContactEvaluation<Law, kind>{
-            law, contacts, particles.position, particles.velocity, particles.spin, particles.material, box, dt, gate};
+    auto const launch_for = [&]<BoxKind kind, bool several>() {
+        launch(ContactEvaluation<Law, kind, several>{law, contacts, particles.position, particles.velocity, particles.spin,
+                                                     particles.material, box, dt, gate});
     };
-    if (box.deforms()) launch(make.template operator()<BoxKind::deforming>());
-    else if (contacts.periodic) launch(make.template operator()<BoxKind::periodic>());
-    else launch(make.template operator()<BoxKind::closed>());
+    auto const launch_in = [&]<BoxKind kind>() {
+        if (law.pairs.shared >= 0) launch_for.template operator()<kind, false>();
+        else launch_for.template operator()<kind, true>();
+    };
+    if (box.deforms()) launch_in.template operator()<BoxKind::deforming>();
+    else if (contacts.periodic) launch_in.template operator()<BoxKind::periodic>();
+    else launch_in.template operator()<BoxKind::closed>();
 }
 
 } // namespace arenite

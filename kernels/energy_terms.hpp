@@ -143,7 +143,7 @@ template <class Law> struct PairPower {
                                                               ContactScale<Lanes> const& scale, int const* i, int const* j,
                                                               LaneMask const& adheres) const
     {
-        if (pairs.materials == 1) return split_contact_power<Law>(contact, scale, pairs(0), adheres); // nothing to select
+        if (pairs.shared >= 0) return split_contact_power<Law>(contact, scale, pairs(pairs.shared), adheres);
         SplitPower<Lanes> split;
         for_each_material_pair(pairs, material, i, j, [&](PairConstants const& pair, LaneMask const& same) {
             SplitPower<Lanes> const power = split_contact_power<Law>(contact, scale, pair, adheres);

@@ -99,8 +99,9 @@ template <class Law> struct WallContactEvaluation {
         ContactGeometry<> contact;
         contact.normal = p.normal;
         contact.overlap = radius - p.distance;
-        contact.velocity =
-            vector_of(velocity, i) - p.distance * cross(spin_i, p.normal) - body.pose.velocity_at(x - p.distance * p.normal);
+        contact.motion = surface_motion(vector_of(velocity, i) - p.distance * cross(spin_i, p.normal) -
+                                            body.pose.velocity_at(x - p.distance * p.normal),
+                                        p.normal);
         contact.scale = {radius, velocity(i, 3), Law::adheres ? Kokkos::cbrt(radius) : Real(0)};
         ContactState<> state;
         if constexpr (Law::adheres) state.adhering = list.adhering(c);

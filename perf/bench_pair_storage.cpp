@@ -43,7 +43,7 @@ Pack make_pack()
     return pack;
 }
 
-using Evaluation = ContactEvaluation<CementedSand, BoxKind::closed>;
+using Evaluation = ContactEvaluation<CementedSand, BoxKind::closed, false>;
 
 Evaluation evaluation_of(Pack const& pack, ContactList const& contacts)
 {

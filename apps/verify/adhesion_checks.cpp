@@ -126,7 +126,7 @@ Pull pull_apart(NormalLaw law)
     Pull pull;
     for (int n = 0; n <= steps; ++n) {
         Real const overlap = points.overlap_B - n * move;
-        Vec3 const force = contact_law({{0, 0, 1}, overlap, {0, 0, 1e-3}, scale}, pair, state, dt);
+        Vec3 const force = contact_law({{0, 0, 1}, overlap, {1e-3, {}}, scale}, pair, state, dt);
         if (state.touching) pull.last_overlap = overlap;
         else pull.silent = pull.silent && force == Vec3{};
         pull.peak = std::fmax(pull.peak, -force.z);

@@ -131,7 +131,7 @@ std::vector<VerifyCase> check_partial_slip()
     ContactState<> state;
     state.previous_radius = normal.contact_radius;
     Real const move = share * limit / stiffness;
-    Vec3 const force = law({{0, 0, 1}, overlap, {move, 0, 0}, scale}, pair, state, 1);
+    Vec3 const force = law({{0, 0, 1}, overlap, {0, {move, 0, 0}}, scale}, pair, state, 1);
     Real const partial = 3 * limit / (2 * stiffness) * (1 - std::pow(1 - share, Real(2) / 3));
     return {compare({"T2 sheared at constant F_n to 0.9 mu F_n", "tangential stiffness / 8 G* a", "Mindlin 1949: no slip"},
                     -force.x / move / stiffness, 1, 1e-12),

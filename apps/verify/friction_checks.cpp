@@ -33,7 +33,7 @@ FrictionCycle run_friction_cycle(PairConstants const& pair, ContactScale<> const
     auto const drive = [&](int steps, int direction) {
         Real work = 0;
         for (int n = 0; n < steps; ++n) {
-            Vec3 const all = law({{0, 0, 1}, overlap, {direction * move, 0, 0}, scale}, pair, state, 1);
+            Vec3 const all = law({{0, 0, 1}, overlap, {0, {direction * move, 0, 0}}, scale}, pair, state, 1);
             work -= Real(0.5) * (force + all.x) * direction * move;
             force = all.x;
             if (direction > 0 && n < per_yield && steps == amplitude * per_yield)
@@ -85,7 +85,7 @@ struct ShearedContact {
     }
     Vec3 force(Real overlap, Vec3 const& move)
     {
-        Vec3 const all = DrySand{}({{0, 0, 1}, overlap, move, scale}, pair, state, 1);
+        Vec3 const all = DrySand{}({{0, 0, 1}, overlap, {0, move}, scale}, pair, state, 1);
         return {all.x, all.y, 0};
     }
     void shear(Real overlap, Vec3 const& to)

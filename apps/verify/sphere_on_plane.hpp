@@ -44,7 +44,8 @@ inline SphereOnPlane make_collinear_pair(PairConstants const& pair, MaterialSett
 inline void evaluate_force(SphereOnPlane& sphere, Real dt)
 {
     Vec3 const normal{0, 0, 1};
-    ContactGeometry<> const contact{normal, -sphere.position.z, sphere.velocity - sphere.radius * cross(sphere.spin, normal),
+    ContactGeometry<> const contact{normal, -sphere.position.z,
+                                    surface_motion(sphere.velocity - sphere.radius * cross(sphere.spin, normal), normal),
                                     sphere.scale};
     Vec3 const push = sphere.law(contact, sphere.pair, sphere.state, dt);
     sphere.force = push + sphere.mass * sphere.gravity;

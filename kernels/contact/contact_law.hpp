@@ -10,9 +10,9 @@
 namespace arenite {
 
 template <class N = Real> struct ContactGeometry {
-    Vector<N> normal;   // unit, from j to i
-    N overlap = 0;      // m, > 0 when the spheres interpenetrate
-    Vector<N> velocity; // m/s, of i's surface relative to j's at the contact
+    Vector<N> normal; // unit, from j to i
+    N overlap = 0;    // m, > 0 when the spheres interpenetrate
+    SurfaceMotion<N> motion;
     ContactScale<N> scale;
 };
 
@@ -39,15 +39,14 @@ template <class Normal, class Tangential> struct ContactLaw {
     {
         NormalResponse<N> response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
         state.touching = response.touches;
-        N const normal_velocity = dot(contact.velocity, contact.normal);
         N const stiffness = 2 * pair.effective_youngs_modulus * response.contact_radius;
         response.dashpot = pair.damping_factor * square_root(stiffness * contact.scale.effective_mass);
-        N normal_force = response.force - response.dashpot * normal_velocity; // paper eq 32, velocity outside the root
+        N normal_force =
+            response.force - response.dashpot * contact.motion.normal_velocity; // paper eq 32, velocity outside the root
         if (pair.clip_attraction)
             normal_force = select(response.pull_off_force > N(0), normal_force, larger(normal_force, N(0)));
-        Vector<N> const slip = contact.velocity - normal_velocity * contact.normal;
         Vector<N> const tangential =
-            Tangential{}(slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
+            Tangential{}(contact.motion.slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
         if constexpr (has_history) {
             state.spring = select(state.touching, state.spring, Vector<N>{});
             state.previous_radius = select(state.touching, state.previous_radius, N(0));

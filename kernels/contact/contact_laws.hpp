@@ -19,12 +19,12 @@ using CementedSand = ContactLaw<JkrNormal, CoulombSpring>;
 
 using AnyContactLaw = std::variant<SmoothSand, DrySand, SmoothCementedSand, CementedSand>;
 
-/// The cheapest law that all pairs of the table can run under.
-inline AnyContactLaw make_contact_law(std::vector<PairConstants> const& pairs)
+/// The cheapest law that all pairs of the table can run under. grain_material: of all grains, or -1 where they differ.
+inline AnyContactLaw make_contact_law(std::vector<PairConstants> const& pairs, int grain_material = -1)
 {
     bool const adhesive = std::any_of(pairs.begin(), pairs.end(), [](auto const& p) { return p.surface_energy > 0; });
     bool const rough = std::any_of(pairs.begin(), pairs.end(), [](auto const& p) { return p.friction > 0; });
-    PairTable const table = upload(pairs);
+    PairTable const table = upload(pairs, grain_material);
     if (adhesive && rough) return CementedSand{table};
     if (adhesive) return SmoothCementedSand{table};
     if (rough) return DrySand{table};

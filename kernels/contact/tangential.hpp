@@ -20,16 +20,34 @@ KOKKOS_FORCEINLINE_FUNCTION ContactTurn<N> contact_turn(Vector<N> const& previou
     return {previous_normal + normal, 1 / (1 + dot(previous_normal, normal))};
 }
 
-/// Unit vector along `vector`, whose length is near 1 / inverse_guess: a series in place of root and division, exact to
-/// rounding where the length is within 1e-3 of it, which a contact does not leave in a step.
-template <class N> KOKKOS_FORCEINLINE_FUNCTION Vector<N> normalized_near(Vector<N> const& vector, N const& inverse_guess)
+/// a - b x c, product by product, so that multiply-adds take it whole.
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION Vector<N> less_cross(Vector<N> const& a, Vector<N> const& b, Vector<N> const& c)
 {
-    N const q = dot(vector, vector) * inverse_guess * inverse_guess - 1;
+    return {a.x - b.y * c.z + b.z * c.y, a.y - b.z * c.x + b.x * c.z, a.z - b.x * c.y + b.y * c.x};
+}
+
+/// The turn of a step in which the centres went along straight lines, as they do between two evaluations. offset [m]: from
+/// the second centre to the first, of length `distance`, with its inverse [1/m], 0 for concentric grains; approach [m/s]:
+/// the first centre's velocity relative to the second's, normal_velocity its part along the normal.
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION ContactTurn<N> straight_turn(Vector<N> const& offset, N const& distance,
+                                                         N const& inverse_distance, Vector<N> const& normal,
+                                                         Vector<N> const& approach, N const& normal_velocity, Real dt)
+{
+    Vector<N> const previous = offset - dt * approach;
+    N const ahead = distance - dt * normal_velocity; // previous . normal
+    // A series in place of root and division, exact to rounding where the length changed by less than 5e-4.
+    N const square = dot(previous, previous), q = square * (inverse_distance * inverse_distance) - 1;
     N const series = 1 - q * (Real(0.5) - q * (Real(0.375) - q * (Real(0.3125) - q * Real(0.2734375))));
-    Vector<N> const near = (inverse_guess * series) * vector;
-    auto const is_near = magnitude(q) < N(1e-3);
-    if (all(is_near)) return near;
-    return select(is_near, near, normalized(vector));
+    N const scale = inverse_distance * series;
+    ContactTurn<N> const turn{normal + scale * previous, 1 / (1 + scale * ahead)};
+    auto const usual = magnitude(q) < N(1e-3) && ahead > N(0);
+    if (all(usual)) return turn;
+    Vector<N> const direction = (1 / square_root(square)) * previous;
+    // Centres that passed each other within the step have no turn to follow.
+    ContactTurn<N> const other = contact_turn(select(dot(direction, normal) > N(0), direction, normal), normal);
+    return {select(usual, turn.sum, other.sum), select(usual, turn.inverse, other.inverse)};
 }
 
 /// Carries a vector of the old contact plane into the new one, as the contact turns: the smallest rotation
@@ -52,24 +70,40 @@ KOKKOS_FORCEINLINE_FUNCTION Vec3 transport_spring(Vec3 const& spring, Vec3 const
     return transport_spring(spring, contact_turn(previous_normal, normal), normal, twist);
 }
 
-/// Velocity [m/s] of i's surface relative to j's over the step of the turn, approach being that of the centres.
-/// The spins (arm-weighted: arm_i omega_i + arm_j omega_j) act on the step's mean normal, and the tangential part
-/// is perpendicular to it: for a rigid turn about any axis k by any angle, n - n' = 2 tan(angle/2) k x (n + n')/2
-/// (Cayley), so that a pair that turns as one body does not slip. With the new normal alone the spring of such
-/// a pair would creep in proportion to dt.
+/// How i's surface moves relative to j's at the contact.
+template <class N = Real> struct SurfaceMotion {
+    N normal_velocity = 0; // m/s, positive where they part
+    Vector<N> slip;        // m/s, in the contact plane
+};
+
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION Vector<N> surface_velocity(Vector<N> const& approach, Vector<N> const& arm_spin,
-                                                       ContactTurn<N> const& turn, Vector<N> const& normal)
+KOKKOS_FORCEINLINE_FUNCTION SurfaceMotion<N> surface_motion(Vector<N> const& velocity, Vector<N> const& normal)
 {
-    Vector<N> const relative = approach - Real(0.5) * cross(arm_spin, turn.sum);
-    Vector<N> const slip = relative - (Real(0.5) * dot(relative, turn.sum) * turn.inverse) * turn.sum;
-    return slip + dot(approach - slip, normal) * normal;
+    N const along = dot(velocity, normal);
+    return {along, velocity - along * normal};
 }
 
-/// A spin as Cayley's relation counts it: 2/dt tan(omega dt/2), to the order that matters below 0.01 rad a step.
-template <class N> KOKKOS_FORCEINLINE_FUNCTION Vector<N> step_spin(Vector<N> const& spin, Real dt)
+/// The same over the step of the turn, approach being the velocity of the centres and normal_velocity its part along the
+/// normal. The spins (half_arm_spin: half of arm_i omega_i + arm_j omega_j) act on the step's mean normal, and the
+/// tangential part is perpendicular to it: for a rigid turn about any axis k by any angle, n - n' = 2 tan(angle/2) k x (n +
+/// n')/2 (Cayley), so that a pair that turns as one body does not slip. With the new normal alone the spring of such a pair
+/// would creep in proportion to dt.
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION SurfaceMotion<N> surface_motion(Vector<N> const& approach, N const& normal_velocity,
+                                                            Vector<N> const& half_arm_spin, ContactTurn<N> const& turn,
+                                                            Vector<N> const& normal)
 {
-    return (1 + dot(spin, spin) * (dt * dt / 12)) * spin;
+    // What the spins do is perpendicular to the sum already.
+    N const along = Real(0.5) * dot(approach, turn.sum) * turn.inverse;
+    Vector<N> const slip = less_cross(approach - along * turn.sum, half_arm_spin, turn.sum);
+    return {normal_velocity, slip - dot(slip, normal) * normal};
+}
+
+/// What makes of the spins of a pair (sum: omega_i + omega_j) spins as Cayley's relation counts them, 2/dt tan(omega dt/2):
+/// for a pair that turns as one body, to the order that matters below 0.01 rad a step.
+template <class N> KOKKOS_FORCEINLINE_FUNCTION N cayley_factor(Vector<N> const& spin_sum, Real dt)
+{
+    return 1 + dot(spin_sum, spin_sum) * (dt * dt * (Real(1) / 48));
 }
 
 /// How the spring's stretch follows a changing contact radius (contact variants `secant`, `rescaled`,
@@ -99,6 +133,16 @@ KOKKOS_FORCEINLINE_FUNCTION N friction_limit(PairConstants const& pair, NormalRe
     return select(normal.pull_off_force > N(0), pair.friction * magnitude(normal_force), dry);
 }
 
+/// The factor, 1 or less, that brings a force of this square [N2] down to the limit [N].
+template <class N> KOKKOS_FORCEINLINE_FUNCTION N cut_to(N const& limit, N const& square)
+{
+    // One contact saves the root; of several lanes one or another slides at random, and a processor that guesses wrong
+    // loses more than the root costs.
+    if constexpr (NumberTraits<N>::lanes == 1)
+        if (square <= limit * limit) return 1;
+    return smaller(limit / square_root(square), N(1));
+}
+
 struct NoTangential {
     static constexpr bool has_history = false;
 
@@ -124,15 +168,9 @@ struct CoulombSpring {
         N const limit = friction_limit(pair, normal, normal_force);
         spring = stretch_factor(pair.tangential, previous_radius, normal.contact_radius) * spring + dt * slip_velocity;
         previous_radius = normal.contact_radius;
-        // Squares are compared, so that only a contact that slides pays for a root.
-        N const trial = stiffness * stiffness * dot(spring, spring);
-        auto const slides = trial > limit * limit;
-        if (any(slides)) spring *= select(slides, limit / square_root(trial), N(1));
-        Vector<N> force = -stiffness * spring - (pair.tangential_damping_ratio * normal.dashpot) * slip_velocity;
-        N const square = dot(force, force);
-        auto const exceeds = square > limit * limit;
-        if (any(exceeds)) force *= select(exceeds, limit / square_root(square), N(1));
-        return force;
+        spring *= cut_to(limit, stiffness * stiffness * dot(spring, spring));
+        Vector<N> const force = -stiffness * spring - (pair.tangential_damping_ratio * normal.dashpot) * slip_velocity;
+        return cut_to(limit, dot(force, force)) * force;
     }
 };
 

@@ -39,9 +39,10 @@ TEST(Tangential, RigidTurnDoesNotSlip)
         Real const c = std::cos(angle), s = std::sin(angle);
         Vec3 const after = c * before + s * cross(axis, before) + ((1 - c) * dot(axis, before)) * axis;
         Vec3 const spin = (angle / dt) * axis;
-        Vec3 const velocity = surface_velocity((distance / dt) * (after - before), distance * step_spin(spin, dt),
-                                               contact_turn(before, after), after);
-        Vec3 const slip = velocity - dot(velocity, after) * after;
+        Vec3 const approach = (distance / dt) * (after - before);
+        Vec3 const half_arm_spin = (distance / 2 * cayley_factor(2 * spin, dt)) * spin;
+        Vec3 const slip =
+            surface_motion(approach, dot(approach, after), half_arm_spin, contact_turn(before, after), after).slip;
         // The series of the tangent leaves angle^5 / 120; the difference of the normals leaves its rounding.
         EXPECT_LT(norm(slip) * dt / distance, std::pow(angle, 5) / 100 + 1e-15);
     }
@@ -81,7 +82,7 @@ Real cycle_work(TangentialLaw law, bool shear_while_pressed)
     Real work = 0;
     auto const move = [&](Real overlap, Real distance) {
         Real const before = -CementedSand{}({{0, 0, 1}, overlap, {}, scale}, pair, state, 1).x;
-        Real const after = -CementedSand{}({{0, 0, 1}, overlap, {distance, 0, 0}, scale}, pair, state, 1).x;
+        Real const after = -CementedSand{}({{0, 0, 1}, overlap, {0, {distance, 0, 0}}, scale}, pair, state, 1).x;
         work += (before + after) / 2 * distance;
     };
     move(out, slip);
@@ -108,7 +109,9 @@ TEST(Tangential, DryPairsFeelTheSameUnderEveryLaw)
 {
     PairConstants const pair = make_pair(with(sand(), 0.8, 0.2), with(sand(), 0.8, 0.2),
                                          contact_settings(NormalLaw::hertz, DampingLaw::restitution, TangentialLaw::secant));
-    ContactGeometry<> const contact{normalized({1, 1, 0}), 1e-7, {0.1, 0.3, -0.2}, contact_scale(sand(), 1e-4, 2e-4)};
+    Vec3 const normal = normalized({1, 1, 0});
+    ContactGeometry<> const contact{normal, 1e-7, surface_motion({0.1, 0.3, -0.2}, normal),
+                                    contact_scale(sand(), 1e-4, 2e-4)};
     ContactState<> dry, cemented;
     EXPECT_TRUE(DrySand{}(contact, pair, dry, 1e-8) == CementedSand{}(contact, pair, cemented, 1e-8));
     EXPECT_TRUE(dry.spring == cemented.spring);
