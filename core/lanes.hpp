@@ -37,6 +37,7 @@ KOKKOS_FORCEINLINE_FUNCTION Real larger(Real a, Real b) { return a > b ? a : b; 
 KOKKOS_FORCEINLINE_FUNCTION Real smaller(Real a, Real b) { return a < b ? a : b; }
 KOKKOS_FORCEINLINE_FUNCTION Real magnitude(Real a) { return Kokkos::fabs(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real square_root(Real a) { return Kokkos::sqrt(a); }
+KOKKOS_FORCEINLINE_FUNCTION Real rounded_down(Real a) { return Kokkos::floor(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Real a, int) { return a; }
 KOKKOS_FORCEINLINE_FUNCTION Real sum_of_lanes(Real a) { return a; }
 
@@ -77,6 +78,7 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes smaller(Lanes const& a, Lanes const& b) { retu
 #endif
 KOKKOS_FORCEINLINE_FUNCTION Lanes magnitude(Lanes const& a) { return abs(a); }
 KOKKOS_FORCEINLINE_FUNCTION Lanes square_root(Lanes const& a) { return sqrt(a); }
+KOKKOS_FORCEINLINE_FUNCTION Lanes rounded_down(Lanes const& a) { return floor(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Lanes const& a, int n) { return a[n]; }
 KOKKOS_FORCEINLINE_FUNCTION Real sum_of_lanes(Lanes const& a) { return reduce(a); }
 

@@ -51,6 +51,9 @@ CoupledSet coupled_set(GrainWeights const& weights, Particles const& particles, 
     Kokkos::parallel_reduce(
         "coupled_set", RangePolicy(0, set.count),
         KOKKOS_LAMBDA(int entry, std::uint64_t& sum) {
+            int const later = weights.later_row(entry);
+            prefetch(&position(later, 0));
+            prefetch(&id(later));
             set.id(entry) = id(row(entry));
             for (int c = 0; c < 4; ++c) set.position(entry, c) = position(row(entry), c);
             sum += mixed(set.id(entry));

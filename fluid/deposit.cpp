@@ -13,21 +13,20 @@ constexpr int grains_per_bin = 8;              // short enough for an insertion 
 constexpr long long partial_limit = 2'000'000; // reals (16 MB) of partial sums held at once
 
 /// Integral of 15/16 (1 - s^2)^2 from -1 to s, 0 and 1 beyond the support.
-KOKKOS_FUNCTION Real kernel_integral(Real s)
+template <class N> KOKKOS_FORCEINLINE_FUNCTION N kernel_integral(N const& s)
 {
-    if (s <= -1) return 0;
-    if (s >= 1) return 1;
-    Real const square = s * s;
-    return Real(0.5) + Real(15) / 16 * s * (1 - square * (Real(2) / 3 - square / 5));
+    N const square = s * s;
+    N const inner = Real(0.5) + Real(15) / 16 * s * (1 - square * (Real(2) / 3 - square * (Real(1) / 5)));
+    return select(s <= N(-1), N(0), select(s >= N(1), N(1), inner));
 }
 
 /// A coordinate in cells from the box's lower face, brought into a periodic box; -1 outside the box.
-KOKKOS_FUNCTION Real cell_coordinate(Grid const& grid, int axis, Real coordinate)
+template <class N> KOKKOS_FORCEINLINE_FUNCTION N cell_coordinate(Grid const& grid, int axis, N const& coordinate)
 {
-    int const cells = grid.cells[axis];
-    Real scaled = (coordinate - grid.lower[axis]) / grid.spacing[axis];
-    if (grid.periodic[axis]) scaled -= cells * Kokkos::floor(scaled / cells);
-    return scaled >= 0 && scaled <= cells ? scaled : Real(-1);
+    Real const cells = grid.cells[axis];
+    N scaled = (coordinate - grid.lower[axis]) / grid.spacing[axis];
+    if (grid.periodic[axis]) scaled -= cells * rounded_down(scaled / cells);
+    return select(scaled >= N(0) && scaled <= N(cells), scaled, N(-1));
 }
 
 /// First cell that the kernel touches, before it is brought into the box.
@@ -54,13 +53,25 @@ KOKKOS_FUNCTION int folded(int index, int cells, bool periodic)
     return index;
 }
 
-KOKKOS_FUNCTION void write_axis_weights(DepositStencil const& stencil, int axis, Real scaled, Real* weight)
+/// An axis of the table of weights: first column, and their number with the padding.
+struct AxisColumns {
+    int first, count;
+};
+
+KOKKOS_FUNCTION AxisColumns axis_columns(DepositStencil const& stencil, int axis)
+{
+    int const end[4] = {0, stencil.y_slot(), stencil.z_slot(), stencil.columns()};
+    return {end[axis], end[axis + 1] - end[axis]};
+}
+
+/// Of one grain, wherever it is. weight: its columns of the axis.
+KOKKOS_FUNCTION void write_folded_weights(DepositStencil const& stencil, int axis, Real scaled, Real* weight, int columns)
 {
     int const cells = stencil.grid.cells[axis];
     bool const periodic = stencil.grid.periodic[axis];
     Real const cells_per_radius = stencil.grid.spacing[axis] / stencil.support_radius;
     int const start = start_cell(stencil, axis, scaled);
-    for (int slot = 0; slot < stencil.slots[axis]; ++slot) weight[slot] = 0;
+    for (int slot = 0; slot < columns; ++slot) weight[slot] = 0;
     int const first = first_touched(stencil, axis, scaled), last = first + stencil.touched[axis] - 1;
     Real below = 0;
     for (int index = first; index <= last; ++index) {
@@ -70,6 +81,52 @@ KOKKOS_FUNCTION void write_axis_weights(DepositStencil const& stencil, int axis,
         weight[slot] += Kokkos::max(Real(0), above - below); // rounding may make it -1e-17
         below = above;
     }
+}
+
+/// The same for a grain a lane, all of whose cells lie in the box.
+KOKKOS_FORCEINLINE_FUNCTION void write_inner_weights(GrainWeights const& weights, int axis, Lanes const& scaled,
+                                                     Lanes const& first, int const (&entry)[lane_count])
+{
+    DepositStencil const& stencil = weights.stencil;
+    Lanes const cells_per_radius = stencil.grid.spacing[axis] / stencil.support_radius;
+    int const touched = stencil.touched[axis];
+    Lanes below = 0;
+    auto const next = [&](int slot) {
+        if (slot >= touched) return Lanes(0);
+        Lanes const above =
+            slot + 1 < touched ? kernel_integral((first + Real(slot + 1) - scaled) * cells_per_radius) : Lanes(1);
+        Lanes const weight = larger(above - below, Lanes(0));
+        below = above;
+        return weight;
+    };
+    AxisColumns const columns = axis_columns(stencil, axis);
+    if constexpr (lane_count == 1)
+        for (int slot = 0; slot < columns.count; ++slot)
+            weights.weight(entry[0], columns.first + slot) = lane(next(slot), 0);
+    else
+        for (int slot = 0; slot < columns.count; slot += 4) {
+            Lanes const w[4] = {next(slot), next(slot + 1), next(slot + 2), next(slot + 3)};
+            store_records_at({{w[0], w[1], w[2]}, w[3]},
+                             [&](int n) { return &weights.weight(entry[n], columns.first + slot); });
+        }
+}
+
+KOKKOS_FORCEINLINE_FUNCTION void write_axis_weights(GrainWeights const& weights, int axis, Lanes const& coordinate,
+                                                    int const (&entry)[lane_count])
+{
+    DepositStencil const& stencil = weights.stencil;
+    Lanes const scaled = cell_coordinate(stencil.grid, axis, coordinate);
+    Lanes const first = rounded_down(scaled - stencil.support_radius / stencil.grid.spacing[axis]);
+    int const touched = stencil.touched[axis];
+    LaneMask const inside = LaneMask(stencil.slots[axis] == touched) && first >= Lanes(0) &&
+                            first + Real(touched) <= Lanes(stencil.grid.cells[axis]);
+    if (any(inside)) write_inner_weights(weights, axis, scaled, first, entry);
+    if (all(inside)) return;
+    AxisColumns const columns = axis_columns(stencil, axis);
+    Lanes const is_inside = select(inside, Lanes(1), Lanes(0));
+    for (int n = 0; n < lane_count; ++n)
+        if (lane(is_inside, n) == 0)
+            write_folded_weights(stencil, axis, lane(scaled, n), &weights.weight(entry[n], columns.first), columns.count);
 }
 
 /// Number of the bin that holds a grain: its block, and in it bins_per_axis^3 bins by the place in a cell.
@@ -94,46 +151,47 @@ View1<int> bin_numbers(DepositStencil const& stencil, RecordView const& position
 
 void write_weights(GrainWeights const& weights, RecordView const& position, View1<int> const& bin)
 {
+    int const blocks = (weights.entries + lane_count - 1) / lane_count;
     Kokkos::parallel_for(
-        "write_weights", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
-            DepositStencil const& stencil = weights.stencil;
-            int const row = weights.bins.item(entry);
-            int const column[3] = {0, stencil.y_slot(), stencil.z_slot()};
-            for (int slot = stencil.slots[0]; slot < stencil.y_slot(); ++slot) weights.weight(entry, slot) = 0;
-            for (int slot = stencil.y_slot() + stencil.slots[1]; slot < stencil.z_slot(); ++slot)
-                weights.weight(entry, slot) = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                Real const scaled = cell_coordinate(stencil.grid, axis, position(row, axis));
-                write_axis_weights(stencil, axis, scaled, &weights.weight(entry, column[axis]));
+        "write_weights", RangePolicy(0, blocks), KOKKOS_LAMBDA(int block) {
+            int entry[lane_count], row[lane_count]; // beyond the last entry: the last again
+            for (int n = 0; n < lane_count; ++n) {
+                entry[n] = Kokkos::min(block * lane_count + n, weights.entries - 1);
+                row[n] = weights.bins.item(entry[n]);
+                prefetch(&position(weights.later_row(entry[n]), 0));
+                weights.block(entry[n]) = bin(row[n]) / weights.bins_per_block;
             }
-            weights.block(entry) = bin(row) / weights.bins_per_block;
+            LaneRecords const at = load_records(position.data(), row);
+            for (int axis = 0; axis < 3; ++axis) write_axis_weights(weights, axis, at.xyz[axis], entry);
         });
 }
 
 /// What the grains of one block give to some of its rows of cells: `group` cells each of rows_at_once rows, an independent
 /// part of the deposit. A piece is what one row gets of it.
 struct Part {
-    int group = 0;               // of x
-    int first_b = 0, c = 0;      // slots of y and z
-    int sx = 0, sy = 0, sz = -1; // start cells; sz = -1: nothing comes from there
-    int plane = 0;               // of cells that it gives to, from the first one on
+    int group = 0;              // of x
+    int first_b = 0, c = 0;     // slots of y and z
+    int sx = 0, sy = 0, sz = 0; // start cells
+    int plane = -1;             // of cells that it gives to, from the first one on; -1: not among those that are wanted
 };
 
-/// Parts are numbered group, sx, sy, group of y, c, plane.
-KOKKOS_FUNCTION Part part_of(DepositStencil const& stencil, int number, int first_plane)
+/// Parts are numbered c, group of y, group, sx, sy, sz: those of a block follow each other, while its grains are in the
+/// cache.
+KOKKOS_FUNCTION Part part_of(DepositStencil const& stencil, int number, int first_plane, int planes)
 {
     Part part;
+    part.c = number % stencil.slots[2];
+    number /= stencil.slots[2];
+    part.first_b = DepositStencil::rows_at_once * (number % stencil.row_groups);
+    number /= stencil.row_groups;
     part.group = number % stencil.groups;
     number /= stencil.groups;
     part.sx = number % stencil.starts[0];
     number /= stencil.starts[0];
     part.sy = number % stencil.starts[1];
-    number /= stencil.starts[1];
-    part.first_b = DepositStencil::rows_at_once * (number % stencil.row_groups);
-    number /= stencil.row_groups;
-    part.c = number % stencil.slots[2];
-    part.plane = number / stencil.slots[2];
-    part.sz = stencil.start(2, first_plane + part.plane, part.c);
+    part.sz = number / stencil.starts[1];
+    int const plane = stencil.cell(2, part.sz, part.c) - first_plane;
+    if (plane >= 0 && plane < planes) part.plane = plane;
     return part;
 }
 
@@ -144,23 +202,24 @@ KOKKOS_FUNCTION std::size_t piece_number(DepositStencil const& stencil, int row,
     return (offset * stencil.starts[0] + sx) * stencil.groups + group;
 }
 
-/// Sums of one row's cells: of 4 components, a Quad a cell; of one, a Quad for the group's cells.
-template <int components> struct RowSum {
-    static_assert(DepositStencil::group == 4 && (components == 1 || components == 4));
-    Quad sum[components] = {};
-
-    KOKKOS_FORCEINLINE_FUNCTION void add(Real wyz, Real const* wx, Real const* quantity)
-    {
-        if constexpr (components == 1) sum[0] += *quantity * (wyz * load_quad(wx));
-        else
-            for (int a = 0; a < components; ++a) sum[a] += (wyz * wx[a]) * load_quad(quantity);
-    }
-};
-
-/// A part of the deposit: sums of rows_at_once rows over the grains of its block.
+/// A part of the deposit: sums of rows_at_once rows of `group` cells over the grains of its block. Of 4 components a row has
+/// a Quad a cell; of one, a Quad for its cells.
 template <int components> struct PartSum {
+    static_assert(DepositStencil::group == 4 && (components == 1 || components == 4));
     static constexpr int rows = DepositStencil::rows_at_once, numbers = DepositStencil::group * components;
-    RowSum<components> row[rows];
+    Quad sum[rows][components] = {};
+
+    KOKKOS_FORCEINLINE_FUNCTION void add(Real const* wx, Real const* wy, Real wz, Real const* quantity)
+    {
+        Quad share[components]; // of every row, but for its weight along y
+        if constexpr (components == 1) share[0] = (wz * *quantity) * load_quad(wx);
+        else {
+            Quad const all = wz * load_quad(quantity);
+            for (int a = 0; a < components; ++a) share[a] = wx[a] * all;
+        }
+        for (int r = 0; r < rows; ++r)
+            for (int n = 0; n < components; ++n) sum[r][n] += wy[r] * share[n];
+    }
 
     /// Over every `stride`-th of the block's entries, from number `start` on.
     KOKKOS_FORCEINLINE_FUNCTION void add_entries(GrainWeights const& weights, Part const& part, TableView const& quantity,
@@ -175,7 +234,7 @@ template <int components> struct PartSum {
             quantity.data() + static_cast<std::ptrdiff_t>(first) * components; // without grains there is no row
         int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
         for (int entry = first; entry < last; entry += stride, w += stride * columns, values += stride * components)
-            for (int r = 0; r < rows; ++r) row[r].add(w[y + r] * w[z], w + x, values);
+            add(w + x, w + y, w[z], values);
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void write(DepositStencil const& stencil, Part const& part, Real* partial) const
@@ -183,42 +242,40 @@ template <int components> struct PartSum {
         for (int r = 0; r < rows && part.first_b + r < stencil.slots[1]; ++r) {
             int const b = part.first_b + r, target = stencil.cell(1, part.sy, b) + stencil.grid.cells[1] * part.plane;
             Real* const to = partial + numbers * piece_number(stencil, target, b, part.c, part.sx, part.group);
-            for (int n = 0; n < numbers; ++n) to[n] = row[r].sum[n / 4][n % 4];
+            for (int n = 0; n < numbers; ++n) to[n] = sum[r][n / 4][n % 4];
         }
     }
 };
 
 /// The pieces of all parts, a part a work item.
 template <int components>
-void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts,
-               View1<Real> const& partial)
+void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int planes, int parts)
 {
     Kokkos::parallel_for(
         "deposit_parts", RangePolicy(0, parts), KOKKOS_LAMBDA(int number) {
-            Part const part = part_of(weights.stencil, number, first_plane);
-            if (part.sz < 0) return;
+            Part const part = part_of(weights.stencil, number, first_plane, planes);
+            if (part.plane < 0) return;
             PartSum<components> sum;
             sum.add_entries(weights, part, quantity, 0, 1);
-            sum.write(weights.stencil, part, partial.data());
+            sum.write(weights.stencil, part, weights.partial.data());
         });
 }
 
 /// The same, a part a warp: for a device, on which a few thousand parts of hundreds of grains would leave most threads idle.
 template <int components>
-void sum_parts_by_warps(GrainWeights const& weights, TableView const& quantity, int first_plane, int parts,
-                        View1<Real> const& partial)
+void sum_parts_by_warps(GrainWeights const& weights, TableView const& quantity, int first_plane, int planes, int parts)
 {
     constexpr int warp = 32; // part of the result's definition
     Kokkos::parallel_for(
         "deposit_parts", TeamPolicy(parts, warp), KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
-            Part const part = part_of(weights.stencil, member.league_rank(), first_plane);
-            if (part.sz < 0) return;
+            Part const part = part_of(weights.stencil, member.league_rank(), first_plane, planes);
+            if (part.plane < 0) return;
             PartSum<components> sum;
             sum.add_entries(weights, part, quantity, member.team_rank(), warp);
-            for (RowSum<components>& row : sum.row)
+            for (auto& row : sum.sum)
                 for (int n = 0; n < PartSum<components>::numbers; ++n)
-                    member.team_reduce(Kokkos::Sum<Real>(row.sum[n / 4].number[n % 4]));
-            if (member.team_rank() == 0) sum.write(weights.stencil, part, partial.data());
+                    member.team_reduce(Kokkos::Sum<Real>(row[n / 4].number[n % 4]));
+            if (member.team_rank() == 0) sum.write(weights.stencil, part, weights.partial.data());
         });
 }
 
@@ -245,17 +302,31 @@ KOKKOS_FUNCTION void add_pieces(DepositStencil const& stencil, View1<Real> const
     }
 }
 
+/// Reals of partial sums that a plane of cells takes.
+long long partial_of_plane(DepositStencil const& stencil, int components)
+{
+    return 1LL * stencil.grid.cells[1] * stencil.slots[1] * stencil.slots[2] * stencil.starts[0] * stencil.groups *
+           DepositStencil::group * components;
+}
+
+/// Planes of cells whose partial sums are held at once.
+int planes_at_once(DepositStencil const& stencil, int components)
+{
+    return static_cast<int>(
+        std::clamp<long long>(partial_limit / partial_of_plane(stencil, components), 1, stencil.grid.cells[2]));
+}
+
 /// Two passes over some planes of cells: the pieces, then the cells.
 template <int components>
 void deposit_planes(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int first_plane,
-                    int planes, View1<Real> const& partial)
+                    int planes)
 {
     DepositStencil const stencil = weights.stencil;
+    View1<Real> const partial = weights.partial;
     int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
-    int const parts =
-        planes * stencil.slots[2] * stencil.row_groups * stencil.starts[1] * stencil.starts[0] * stencil.groups;
-    if constexpr (on_host) sum_parts<components>(weights, quantity, first_plane, parts, partial);
-    else sum_parts_by_warps<components>(weights, quantity, first_plane, parts, partial);
+    int const parts = stencil.block_count() * stencil.groups * stencil.row_groups * stencil.slots[2];
+    if constexpr (on_host) sum_parts<components>(weights, quantity, first_plane, planes, parts);
+    else sum_parts_by_warps<components>(weights, quantity, first_plane, planes, parts);
     Kokkos::parallel_for(
         "add_deposit_pieces", RangePolicy(0, ny * planes * nx), KOKKOS_LAMBDA(int target) {
             Real total[components];
@@ -267,14 +338,9 @@ void deposit_planes(GrainWeights const& weights, TableView const& quantity, Tabl
 
 template <int components> void deposit_all(GrainWeights const& weights, TableView const& quantity, TableView const& cell)
 {
-    DepositStencil const& stencil = weights.stencil;
-    long long const plane = 1LL * stencil.grid.cells[1] * stencil.slots[1] * stencil.slots[2] * stencil.starts[0] *
-                            stencil.groups * DepositStencil::group * components;
-    int const all = stencil.grid.cells[2];
-    int const planes = static_cast<int>(std::clamp<long long>(partial_limit / plane, 1, all));
-    View1<Real> const partial(uninitialized("deposit_partial"), plane * planes);
+    int const planes = planes_at_once(weights.stencil, components), all = weights.stencil.grid.cells[2];
     for (int first = 0; first < all; first += planes)
-        deposit_planes<components>(weights, quantity, cell, first, std::min(planes, all - first), partial);
+        deposit_planes<components>(weights, quantity, cell, first, std::min(planes, all - first));
 }
 
 } // namespace
@@ -317,6 +383,12 @@ GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const&
     if (weights.block.extent(0) < rows) weights.block = View1<int>(uninitialized("block_of_entry"), rows);
     if (weights.weight.extent(0) < rows || weights.weight.extent(1) != columns)
         weights.weight = TableView(uninitialized("grain_weights"), rows, columns);
+    long long partial = 0;
+    for (int const components : {1, 4})
+        partial = std::max(partial, planes_at_once(stencil, components) * partial_of_plane(stencil, components));
+    weights.partial = spare.partial;
+    if (static_cast<long long>(weights.partial.extent(0)) < partial)
+        weights.partial = View1<Real>(uninitialized("deposit_partial"), partial);
     write_weights(weights, position, bin);
     return weights;
 }

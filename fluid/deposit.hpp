@@ -15,6 +15,8 @@
 #include "core/lanes.hpp"
 #include "core/particles.hpp"
 
+#include <string>
+
 namespace arenite {
 
 /// [item][component], component count chosen at run time.
@@ -26,7 +28,7 @@ using TableView = Kokkos::View<Real**, Kokkos::LayoutRight, MemorySpace>;
 struct DepositStencil {
     static constexpr int group = 4; // slots of x in a Quad; their storage is padded to it
     static constexpr int rows_at_once =
-        lane_count > 1 ? 4 : 1; // slots of y that are summed at once: a GPU wants many small sums
+        lane_count > 1 ? 4 : 1; // slots of y that are summed at once: a GPU wants many small sums; y and z are padded to it
 
     Grid grid;
     Real support_radius = 0;    // m
@@ -38,7 +40,7 @@ struct DepositStencil {
 
     KOKKOS_FUNCTION int y_slot() const { return group * groups; } // columns of GrainWeights::weight
     KOKKOS_FUNCTION int z_slot() const { return y_slot() + rows_at_once * row_groups; }
-    KOKKOS_FUNCTION int columns() const { return z_slot() + slots[2]; }
+    KOKKOS_FUNCTION int columns() const { return z_slot() + (slots[2] + rows_at_once - 1) / rows_at_once * rows_at_once; }
     KOKKOS_FUNCTION int block_count() const { return starts[0] * starts[1] * starts[2]; }
     /// Cell start + slot of an axis; the block of a periodic box may reach over its end.
     KOKKOS_FUNCTION int cell(int axis, int start, int slot) const
@@ -64,11 +66,14 @@ struct GrainWeights {
     DepositStencil stencil;
     int entries = 0;
     int bins_per_block = 1;
-    CellList bins;    // bins.item: [entry] row of the grain
-    View1<int> block; // [entry] start cell, as sx + starts_x (sy + starts_y sz)
-    TableView weight; // [entry][slots of x, padded with 0; of y, likewise; of z]
+    CellList bins;       // bins.item: [entry] row of the grain
+    View1<int> block;    // [entry] start cell, as sx + starts_x (sy + starts_y sz)
+    TableView weight;    // [entry][slots of x, of y, of z, each padded with 0]
+    View1<Real> partial; // work space of deposits
 
     KOKKOS_FUNCTION int begin(int of_block) const { return bins.begin(of_block * bins_per_block); }
+    /// Row of a grain some entries on: grains of neighbouring entries lie apart in memory and are asked for early.
+    KOKKOS_FUNCTION int later_row(int entry) const { return bins.item(Kokkos::min(entry + 16, entries - 1)); }
 };
 
 /// position: [row](x, y, z, -), m. Grains whose centre is outside a non-periodic box are left out. The arrays of `spare` are
@@ -80,42 +85,75 @@ GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const&
 /// quantity: [entry][components]; cell: [cell number][components].
 void deposit(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int components);
 
-/// Columns of a table of cells that interpolate_at reads: a cell's components go through whole Quads.
-KOKKOS_FUNCTION constexpr int interpolated_columns(int components) { return (components + 3) / 4 * 4; }
-
-/// One entry's mean of the cells' values, the adjoint of deposit: sum over cells of weight * cell(c, q).
-/// cell: [cell number][interpolated_columns(components) or more].
-template <int components>
-KOKKOS_FUNCTION void interpolate_at(GrainWeights const& weights, int entry, TableView const& cell, Real (&value)[components])
+/// A table of cells [cell number][components, padded to whole Quads] for interpolate_at, which also reads a few rows
+/// beyond the last cell, with weight 0.
+inline TableView make_interpolated(std::string const& label, Grid const& grid, int components)
 {
-    constexpr int quads = interpolated_columns(components) / 4;
-    DepositStencil const& stencil = weights.stencil;
-    int const block = weights.block(entry);
-    int const i0 = block % stencil.starts[0];
-    int const j0 = block / stencil.starts[0] % stencil.starts[1];
-    int const k0 = block / (stencil.starts[0] * stencil.starts[1]);
-    Real const* const wx = &weights.weight(entry, 0);
-    Real const* const wy = &weights.weight(entry, stencil.y_slot());
-    Real const* const wz = &weights.weight(entry, stencil.z_slot());
-    std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(cell.stride(0));
-    int const slots_x = stencil.slots[0], cells_x = stencil.grid.cells[0];
-    int const before_end = i0 + slots_x <= cells_x ? slots_x : cells_x - i0; // the rest is at the periodic box's other end
-    Quad sum[quads] = {};
+    return TableView(label, grid.cell_count() + DepositStencil::group - 1, (components + 3) / 4 * 4);
+}
+
+namespace deposit_detail {
+
+/// Sums over a block of cells that lies whole in the box. start: of its first cell; groups: of a row's cells.
+template <int groups, int quads>
+KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real const* weight, int const (&start)[3],
+                                           TableView const& cell, Quad (&sum)[quads])
+{
+    constexpr int count = groups * DepositStencil::group;
+    Grid const& grid = stencil.grid;
+    std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(cell.stride(0)), row = stride * grid.cells[0],
+                         plane = row * grid.cells[1];
+    Real const* const first = cell.data() + stride * start[0] + row * start[1] + plane * start[2];
+    Real wx[count];
+    for (int a = 0; a < count; ++a) wx[a] = weight[a];
+    Real const *const wy = weight + stencil.y_slot(), *const wz = weight + stencil.z_slot();
     for (int c = 0; c < stencil.slots[2]; ++c) {
-        int const k = stencil.cell(2, k0, c);
-        for (int b = 0; b < stencil.slots[1]; ++b) {
-            int const row = cells_x * (stencil.cell(1, j0, b) + stencil.grid.cells[1] * k);
+        Real const* values = first + c * plane;
+        for (int b = 0; b < stencil.slots[1]; ++b, values += row) {
             Quad along_x[quads] = {};
-            auto const add = [&](int begin, int end, Real const* values) {
-                for (int a = begin; a < end; ++a, values += stride)
-                    for (int q = 0; q < quads; ++q) along_x[q] += wx[a] * load_quad(values + 4 * q);
-            };
-            add(0, before_end, cell.data() + (row + i0) * stride);
-            add(before_end, slots_x, cell.data() + row * stride);
+            for (int a = 0; a < count; ++a)
+                for (int q = 0; q < quads; ++q) along_x[q] += wx[a] * load_quad(values + a * stride + 4 * q);
             Real const wyz = wy[b] * wz[c];
             for (int q = 0; q < quads; ++q) sum[q] += wyz * along_x[q];
         }
     }
+}
+
+/// The same for any block, cell by cell: it may go on at a periodic box's other end.
+template <int quads>
+KOKKOS_FUNCTION void sum_any_block(DepositStencil const& stencil, Real const* weight, int const (&start)[3],
+                                   TableView const& cell, Quad (&sum)[quads])
+{
+    for (int c = 0; c < stencil.slots[2]; ++c)
+        for (int b = 0; b < stencil.slots[1]; ++b) {
+            int const row = stencil.cell(1, start[1], b) + stencil.grid.cells[1] * stencil.cell(2, start[2], c);
+            Real const wyz = weight[stencil.y_slot() + b] * weight[stencil.z_slot() + c];
+            for (int a = 0; a < stencil.slots[0]; ++a) {
+                Real const* const values = &cell(stencil.grid.cells[0] * row + stencil.cell(0, start[0], a), 0);
+                for (int q = 0; q < quads; ++q) sum[q] += (wyz * weight[a]) * load_quad(values + 4 * q);
+            }
+        }
+}
+
+} // namespace deposit_detail
+
+/// One entry's mean of the cells' values, the adjoint of deposit: sum over cells of weight * cell(c, q).
+/// cell: made by make_interpolated for as many components or more.
+template <int components>
+KOKKOS_FORCEINLINE_FUNCTION void interpolate_at(GrainWeights const& weights, int entry, TableView const& cell,
+                                                Real (&value)[components])
+{
+    DepositStencil const& stencil = weights.stencil;
+    int const block = weights.block(entry);
+    int const start[3] = {block % stencil.starts[0], block / stencil.starts[0] % stencil.starts[1],
+                          block / (stencil.starts[0] * stencil.starts[1])};
+    bool whole = true;
+    for (int axis = 0; axis < 3; ++axis) whole = whole && start[axis] + stencil.slots[axis] <= stencil.grid.cells[axis];
+    Real const* const weight = &weights.weight(entry, 0);
+    Quad sum[(components + 3) / 4] = {};
+    if (whole && stencil.groups == 1) deposit_detail::sum_block<1>(stencil, weight, start, cell, sum);
+    else if (whole && stencil.groups == 2) deposit_detail::sum_block<2>(stencil, weight, start, cell, sum);
+    else deposit_detail::sum_any_block(stencil, weight, start, cell, sum);
     for (int q = 0; q < components; ++q) value[q] = sum[q / 4][q % 4];
 }
 

@@ -61,7 +61,7 @@ struct SchillerNaumannDrag {
 /// logarithm is -inf and the exponential 0.
 KOKKOS_FUNCTION inline Real porosity_exponent(Real reynolds)
 {
-    Real const distance = Real(1.5) - Kokkos::log10(reynolds);
+    Real const distance = Real(1.5) - std::numbers::log10e_v<Real> * Kokkos::log(reynolds);
     return Real(3.7) - Real(0.65) * Kokkos::exp(-distance * distance / 2);
 }
 

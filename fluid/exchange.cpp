@@ -21,6 +21,7 @@ void fit(TableView& table, char const* label, int rows, int columns)
     table = TableView(uninitialized(label), rows, columns);
 }
 
+/// position: [row of the first `entries` items](x, y, z, radius).
 void evaluate_volume(RecordView const& position, View1<int> const& row, int entries, TableView const& volume)
 {
     Kokkos::parallel_for(
@@ -98,18 +99,21 @@ template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange
 {
     GrainWeights const weights = exchange.weights;
     auto const value = exchange.cell_value, drag = exchange.drag;
-    auto const position = particles.position, velocity = particles.velocity, coasting = particles.coasting;
+    RecordView const at = exchange.coupled.position, velocity = particles.velocity, coasting = particles.coasting;
     auto const motion = particles.motion;
     Real const factor = exchange.coarse_grain_factor, dt = exchange.time_step;
-    bool const has_history = coasting.extent(0) == position.extent(0);
+    bool const has_history = coasting.extent(0) == velocity.extent(0);
     Kokkos::parallel_for(
         "evaluate_drag", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
-            int const row = weights.bins.item(entry);
+            int const row = weights.bins.item(entry), later = weights.later_row(entry);
+            prefetch(&velocity(later, 0));
+            prefetch(&motion(later));
+            if (has_history) prefetch(&coasting(later, 0));
             Real fluid[4];
             interpolate_at(weights, entry, value, fluid);
             Vec3 const v = vector_of(velocity, row);
             Real const slip_speed = norm(Vec3{fluid[0], fluid[1], fluid[2]} - v);
-            Real beta = grain_drag_coefficient(law, {2 * position(row, 3), fluid[3], slip_speed}, factor);
+            Real beta = grain_drag_coefficient(law, {2 * at(entry, 3), fluid[3], slip_speed}, factor);
             Vec3 predicted = v;
             if (motion(row) == Motion::free) {
                 beta /= 1 + beta * dt / velocity(row, 3);
@@ -150,14 +154,18 @@ void write_fluid_force(Exchange const& exchange, Particles const& particles)
                      coasting = particles.coasting, velocity = particles.velocity;
     Real const dt = exchange.time_step;
     bool const apart = pressure_force.is_allocated();
-    if (apart) Kokkos::deep_copy(ExecutionSpace(), pressure_force, Real(0));
     GrainWeights const weights = exchange.weights;
     auto const value = exchange.cell_value, drag = exchange.drag, volume = exchange.volume;
-    Kokkos::deep_copy(ExecutionSpace(), fluid_force, Real(0)); // grains outside the box
-    Kokkos::deep_copy(ExecutionSpace(), coasting, Real(0));
+    if (weights.entries < particles.rows()) { // grains outside the box
+        for (RecordView const& view : {fluid_force, coasting}) Kokkos::deep_copy(ExecutionSpace(), view, Real(0));
+        if (apart) Kokkos::deep_copy(ExecutionSpace(), pressure_force, Real(0));
+    }
     Kokkos::parallel_for(
         "write_fluid_force", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
-            int const row = weights.bins.item(entry);
+            int const row = weights.bins.item(entry), later = weights.later_row(entry);
+            prefetch(&velocity(later, 0));
+            prefetch(&fluid_force(later, 0));
+            prefetch(&coasting(later, 0));
             Real fluid[6];
             interpolate_at(weights, entry, value, fluid);
             Real const beta = drag(entry, 3);
@@ -196,7 +204,7 @@ Exchange make_exchange(Flow const& flow, Particles& particles, FluidSettings con
     exchange.minimum_porosity = settings.minimum_porosity;
     int const cells = flow.grid.cell_count();
     fit(exchange.cell_sum, "exchange_cell_sum", cells, 4);
-    exchange.cell_value = TableView("exchange_cell_value", cells, interpolated_columns(6));
+    exchange.cell_value = make_interpolated("exchange_cell_value", flow.grid, 6);
     ARENITE_REQUIRE(flow.has_drag(), "the flow was made without grains");
     if (!particles.fluid_force.is_allocated())
         particles.fluid_force = RecordView("fluid_force", particles.position.extent(0));

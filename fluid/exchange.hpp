@@ -43,7 +43,7 @@ struct Exchange {
     TableView drag;       // [entry](beta' v'x, beta' v'y, beta' v'z, beta'), N and N s/m; see deposit_drag
     Real time_step = 0;   // s, of the drag
     TableView cell_sum;   // [cell][4] what deposit gives
-    TableView cell_value; // [cell][interpolated_columns(6)] what interpolate_at reads
+    TableView cell_value; // [cell][6, padded] what interpolate_at reads
     CoupledSet coupled;   // the grains of the last deposit; a checkpoint of a coupled run holds it
     CoupledSet spare;     // arrays for the next one
     ExchangeReport report;

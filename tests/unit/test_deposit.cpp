@@ -128,9 +128,9 @@ TEST(Deposit, WeightsOfAGrainSumToOne)
             Particles const particles = grains_at(points);
             GrainWeights const weights = weights_of(grid, radius, particles);
             ASSERT_EQ(weights.entries, particles.count);
-            for (Real const one :
-                 host_column(interpolate_all(weights, uniform_table(grid.cell_count(), interpolated_columns(4), 1)), 0))
-                EXPECT_NEAR(one, 1, rounding);
+            TableView const ones = make_interpolated("ones", grid, 4);
+            Kokkos::deep_copy(ones, 1);
+            for (Real const one : host_column(interpolate_all(weights, ones), 0)) EXPECT_NEAR(one, 1, rounding);
             TableView const cell("cell", grid.cell_count(), 1);
             deposit(weights, uniform_table(weights.entries, 1, 1), cell, 1);
             EXPECT_NEAR(sum(host_column(cell, 0)) / particles.count, 1, rounding);
@@ -173,7 +173,7 @@ TEST(Deposit, InterpolationIsTheAdjoint)
             Particles const particles = grains_at(random_points(grid, 300));
             GrainWeights const weights = weights_of(grid, radius, particles);
             TableView const amount = table_by_id(weights, particles.id, 4);
-            TableView field("field", grid.cell_count(), interpolated_columns(4));
+            TableView const field = make_interpolated("field", grid, 4);
             auto const host = Kokkos::create_mirror_view(field);
             for (int c = 0; c < grid.cell_count(); ++c)
                 for (int q = 0; q < 4; ++q) host(c, q) = std::cos(0.7 * c + q);
