@@ -84,6 +84,8 @@ StageCost measure_stage(Scene const& scene, PlannedStage const& planned)
     still.settings.carrier.clear();
     StageSetup setup = begin_stage(scene, still, state);
     setup.step.dt *= Real(1e-9); // the same work, and nothing moves
+    setup.walls_move = std::any_of(planned.settings.walls.begin(), planned.settings.walls.end(),
+                                   [](WallAction const& a) { return a.velocity || a.angular_velocity || a.servo; });
     if (scene.output.energies) open_account(setup, state);
     StageCost cost;
     if (state.fluid) {

@@ -7,18 +7,22 @@
 namespace arenite {
 namespace {
 
+/// What a deforming box puts in against forces of this virial [J], W.
+Real box_power(PeriodicBox const& box, Vec3 const& virial) { return -dot(box.strain_rate, virial); }
+
 /// Powers at this moment, and the jump of stored energy in the step that led here.
 WorkArray measure_powers(StageSetup const& setup, RunState& state, Real& adhesion_jump)
 {
-    EnergyAccount const& account = *state.energy;
+    EnergyAccount& account = *state.energy;
     Vec3 const origin = setup.step.box_lower;
     ContactPower const pairs = setup.forces.pair_power(account.pair_adhered);
     ContactPower const walls = setup.forces.wall_power(account.wall_adhered, origin);
     GrainPower const grains = measure_grain_power(state.particles, setup.step.gravity, state.box, origin, state.sums);
     adhesion_jump = pairs.adhesion + walls.adhesion;
+    account.virial = pairs.virial + walls.virial + grains.virial;
     WorkArray power{};
     power[Work::walls] = walls.walls;
-    power[Work::box] = pairs.box + walls.box + grains.box;
+    power[Work::box] = box_power(state.box, account.virial);
     power[Work::gravity] = grains.gravity;
     power[Work::drag] = grains.drag;
     power[Work::pressure] = grains.pressure;
@@ -29,7 +33,8 @@ WorkArray measure_powers(StageSetup const& setup, RunState& state, Real& adhesio
     // Damping of the total force is what the other forces leave; without it nothing is left, and an error of the
     // gather shows in the residual instead.
     if (setup.step.local_damping > 0)
-        power[Work::local_damping] = grains.total - (pairs.on_grains + walls.on_grains + grains.outer() + grains.box);
+        power[Work::local_damping] =
+            grains.total - (pairs.on_grains + walls.on_grains + grains.outer() + box_power(state.box, grains.virial));
     return power;
 }
 
@@ -45,20 +50,14 @@ void open_account(StageSetup const& setup, RunState& state)
     account.start_tangential = setup.forces.stored().tangential;
 }
 
+void take_up_account(StageSetup const& setup, RunState& state)
+{
+    Real jump = 0;
+    measure_powers(setup, state, jump);
+}
+
 void begin_step(StageSetup const& setup, RunState& state)
 {
-    // Walls and a deforming box have one velocity for the whole step (a servo sets another for the next): the forces at
-    // the step's begin work on that one too.
-    Vec3 const origin = setup.step.box_lower;
-    bool const rides = setup.carrier >= 0 || setup.planned->settings.box;
-    if (setup.walls_move || rides) {
-        WorkArray& power = state.energy->power;
-        ContactPower const walls = setup.forces.wall_power({}, origin);
-        power[Work::walls] = walls.walls;
-        if (rides)
-            power[Work::box] = setup.forces.pair_power({}).box + walls.box +
-                               measure_grain_power(state.particles, setup.step.gravity, state.box, origin, state.sums).box;
-    }
     auto const copy = [](View1<std::uint8_t> const& flags, int count, View1<std::uint8_t>& kept) {
         if (!flags.is_allocated() || count == 0) {
             kept = {};
@@ -69,6 +68,11 @@ void begin_step(StageSetup const& setup, RunState& state)
     };
     copy(state.contacts.adhering, state.contacts.count, state.energy->pair_adhered);
     copy(state.wall_contacts.adhering, state.wall_contacts.count, state.energy->wall_adhered);
+    // Walls and a deforming box have one velocity for the whole step (a servo sets another for the next): the forces at
+    // the step's begin work on that one too.
+    WorkArray& power = state.energy->power;
+    if (setup.walls_move) power[Work::walls] = setup.forces.wall_power({}, setup.step.box_lower).walls;
+    if (setup.carrier >= 0 || setup.planned->settings.box) power[Work::box] = box_power(state.box, state.energy->virial);
 }
 
 void add_step(StageSetup const& setup, RunState& state)

@@ -39,6 +39,7 @@ struct EnergyAccount {
     Real removed = 0;                     // J that grains took with them when they left
     Real start = 0, start_tangential = 0; // J, total and of the tangential springs when the stage began
 
+    Vec3 virial;                                    // J, of all forces at the last step
     View1<std::uint8_t> pair_adhered, wall_adhered; // scratch: the flags before the step's evaluation
 };
 
@@ -58,6 +59,9 @@ struct EnergySheet {
 
 /// Opens the account of a stage whose first forces stand, or of a resumed one whose checkpoint held none.
 void open_account(StageSetup const& setup, RunState& state);
+
+/// Of an account that goes on after a restart: what no checkpoint holds. Forces and places must be those of the last step.
+void take_up_account(StageSetup const& setup, RunState& state);
 
 /// Between the walls' move and the evaluation of the step's forces.
 void begin_step(StageSetup const& setup, RunState& state);

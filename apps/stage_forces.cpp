@@ -43,7 +43,7 @@ void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunSt
     forces.pair_power = [&state, law](View1<std::uint8_t> const& adhered) {
         return std::visit(
             [&](auto const& l) {
-                return contact_power(reproducible_sums<6>(state.sums, "pair_power", blocks_of(state.contacts),
+                return contact_power(reproducible_sums<8>(state.sums, "pair_power", blocks_of(state.contacts),
                                                           pair_terms(l, state, adhered)));
             },
             law);
@@ -51,7 +51,7 @@ void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunSt
     forces.wall_power = [&state, wall_law](View1<std::uint8_t> const& adhered, Vec3 const& origin) {
         return std::visit(
             [&](auto const& l) {
-                return contact_power(reproducible_sums<6>(state.sums, "wall_power", state.wall_contacts.count,
+                return contact_power(reproducible_sums<8>(state.sums, "wall_power", state.wall_contacts.count,
                                                           wall_terms(l, state, adhered, origin)));
             },
             wall_law);

@@ -106,7 +106,10 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
     bool const resumes = state.clock.stage_step > 0;
     StageSetup setup = resumes ? resume_stage(scene, planned, state) : begin_stage(scene, planned, state);
     if (planned.settings.kind == StageKind::generation) return "grains placed";
-    if (scene.output.energies && !(resumes && state.energy)) open_account(setup, state);
+    if (scene.output.energies) {
+        if (resumes && state.energy) take_up_account(setup, state);
+        else open_account(setup, state);
+    }
 
     StageWatch watch(scene, planned);
     Cadence const cadence = make_cadence(planned, watch, until, state.clock, output);

@@ -15,7 +15,7 @@ namespace arenite {
 struct ContactPower {
     Real damping = 0;    // W, of the normal dashpots on the two bodies: negative where they slow
     Real tangential = 0; // W, of springs and dashpots in the contact plane
-    Real box = 0;        // W that a deforming box puts in through the contacts
+    Vec3 virial;         // J, sum of force x offset along each axis; a box of strain rate e puts -e . virial in
     Real walls = 0;      // W of moving walls on the grains
     Real on_grains = 0;  // W on velocities and spins of grains, all mechanisms
     Real adhesion = 0;   // J by which stored energy jumped where contacts began or ceased to adhere in this step
@@ -34,7 +34,7 @@ struct GrainPower {
     Real gravity = 0, applied = 0;
     Real drag = 0, pressure = 0; // of the fluid: on the slip, and of -grad p + div tau
     Real held = 0;               // of what holds or moves grains whatever the forces
-    Real box = 0;                // of a deforming box against the forces above
+    Vec3 virial;                 // J, of the forces but those that hold: sum of force x (place - origin) along each axis
     Real total = 0;              // of the grains' total force and torque
     Real outer() const { return gravity + applied + drag + pressure; }
 };
@@ -88,7 +88,7 @@ KOKKOS_FUNCTION inline Real adhesion_jump(bool before, bool now, Real overlap, C
     return now ? jump : -jump;
 }
 
-/// Sums over the lane_count contacts of a block.
+/// Sums over the lane_count contacts of a block, in the order of contact_power.
 template <class Law> struct PairPower {
     PairTable pairs;
     ContactList list;
@@ -96,12 +96,12 @@ template <class Law> struct PairPower {
     View1<std::uint8_t> material, adhered; // adhered: the flags before the last evaluation, or empty
     PeriodicBox box;
 
-    KOKKOS_FUNCTION Terms<6> operator()(int block) const
+    KOKKOS_FUNCTION Terms<8> operator()(int block) const
     {
-        Terms<6> terms{};
+        Terms<8> terms{};
         int const c = block * lane_count;
         if constexpr (Law::adheres)
-            if (adhered.extent(0) > 0) terms[5] = adhesion_jumps(c);
+            if (adhered.extent(0) > 0) terms[7] = adhesion_jumps(c);
         LaneMask touching = load_flags(&list.touching(c));
         if (!any(touching)) return terms;
         int const *const i = &list.first(c), *const j = &list.second(c);
@@ -120,9 +120,8 @@ template <class Law> struct PairPower {
         contact.overlap = at_i.w + at_j.w - distance;
         contact.normal = select(touching, 1 / distance, Lanes(0)) * offset;
         contact.force = force.xyz;
-        Vector<Lanes> const approach = records_of(velocity, i).xyz - records_of(velocity, j).xyz,
-                            stretch = box.stretch_velocity(offset);
-        contact.velocity = approach + stretch;
+        Vector<Lanes> const approach = records_of(velocity, i).xyz - records_of(velocity, j).xyz;
+        contact.velocity = approach + box.stretch_velocity(offset);
         Lanes const turning = -dot(moment.xyz, force.w * records_of(spin, i).xyz + moment.w * records_of(spin, j).xyz);
         contact.total = dot(contact.force, contact.velocity) + turning;
 
@@ -134,8 +133,8 @@ template <class Law> struct PairPower {
         auto const sum = [&](Lanes const& power) { return sum_of_lanes(select(touching, power, Lanes(0))); };
         terms[0] = sum(split.damping);
         terms[1] = sum(split.tangential);
-        terms[2] = sum(-dot(contact.force, stretch));
-        terms[4] = sum(dot(contact.force, approach) + turning);
+        for (int axis = 0; axis < 3; ++axis) terms[2 + axis] = sum(contact.force[axis] * offset[axis]);
+        terms[6] = sum(dot(contact.force, approach) + turning);
         return terms;
     }
 
@@ -178,9 +177,9 @@ template <class Law> struct WallPower {
     PeriodicBox box;
     Vec3 origin;
 
-    KOKKOS_FUNCTION Terms<6> operator()(int c) const
+    KOKKOS_FUNCTION Terms<8> operator()(int c) const
     {
-        Terms<6> terms{};
+        Terms<8> terms{};
         if (!list.touching(c))
             return terms; // where a wall's contact snapped its row is empty: that jump stays in the residual
         int const i = list.grain(c);
@@ -193,8 +192,8 @@ template <class Law> struct WallPower {
         contact.normal = vector_of(list.normal, c);
         contact.force = {list.force(c, 0), list.force(c, 1), list.force(c, 2)};
         Vec3 const moment{list.force(c, 4), list.force(c, 5), list.force(c, 6)}, x = vector_of(position, i);
-        Vec3 const stretch = box.stretch_velocity(x - origin), wall = body.pose.velocity_at(x - arm * contact.normal);
-        contact.velocity = vector_of(velocity, i) + stretch - wall;
+        Vec3 const offset = x - origin, wall = body.pose.velocity_at(x - arm * contact.normal);
+        contact.velocity = vector_of(velocity, i) + box.stretch_velocity(offset) - wall;
         Real const turning = -arm * dot(moment, vector_of(spin, i));
         contact.total = dot(contact.force, contact.velocity) + turning;
         bool now = false, before = false;
@@ -203,10 +202,10 @@ template <class Law> struct WallPower {
         SplitPower<Real> const split = split_contact_power<Law>(contact, scale, pair, now);
         terms[0] = split.damping;
         terms[1] = split.tangential;
-        terms[2] = -dot(contact.force, stretch);
-        terms[3] = dot(contact.force, wall);
-        terms[4] = dot(contact.force, vector_of(velocity, i)) + turning;
-        if constexpr (Law::adheres) terms[5] = adhesion_jump(before, now, contact.overlap, scale, pair);
+        for (int axis = 0; axis < 3; ++axis) terms[2 + axis] = contact.force[axis] * offset[axis];
+        terms[5] = dot(contact.force, wall);
+        terms[6] = dot(contact.force, vector_of(velocity, i)) + turning;
+        if constexpr (Law::adheres) terms[7] = adhesion_jump(before, now, contact.overlap, scale, pair);
         return terms;
     }
 };
@@ -252,6 +251,9 @@ template <class Law> struct WallEnergy {
     }
 };
 
-inline ContactPower contact_power(Terms<6> const& sums) { return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5]}; }
+inline ContactPower contact_power(Terms<8> const& sums)
+{
+    return {sums[0], sums[1], {sums[2], sums[3], sums[4]}, sums[5], sums[6], sums[7]};
+}
 
 } // namespace arenite
