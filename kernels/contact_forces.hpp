@@ -110,10 +110,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         for_each_material_pair(law.pairs, material, i, j, [&](PairConstants const& pair, LaneMask const& same) {
             ContactState<Lanes> after = before;
             force = select(same, law(contact, pair, after, dt), force);
-            state.spring = select(same, after.spring, state.spring);
-            state.previous_radius = select(same, after.previous_radius, state.previous_radius);
-            state.adhering = select(same, after.adhering, state.adhering);
-            state.touching = select(same, after.touching, state.touching);
+            state = select(same, after, state);
         });
         return force;
     }

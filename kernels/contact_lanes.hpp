@@ -35,13 +35,11 @@ KOKKOS_FORCEINLINE_FUNCTION Vector<Lanes> image_shifts(ContactList const& list, 
 }
 
 /// Calls evaluate(constants, mask of the lanes that have them) for every pair of materials in the lanes: a law knows one
-/// pair at a time. i, j: rows of the lanes' grains.
+/// pair at a time. index: of each lane's pair.
 template <class Evaluate>
-KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, View1<std::uint8_t> const& material,
-                                                        int const* i, int const* j, Evaluate const& evaluate)
+KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, int const (&index)[lane_count],
+                                                        Evaluate const& evaluate)
 {
-    int index[lane_count];
-    for (int n = 0; n < lane_count; ++n) index[n] = pairs.index(material(i[n]), material(j[n]));
     if constexpr (lane_count == 1) evaluate(pairs(index[0]), LaneMask(true));
     else
         for (int n = 0; n < lane_count; ++n) {
@@ -51,6 +49,16 @@ KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, 
                 evaluate(pairs(index[n]),
                          make_lanes([&](int m) { return static_cast<Real>(index[m] == index[n]); }) > Lanes(0));
         }
+}
+
+/// Of two grains each; i, j: rows of the lanes' grains.
+template <class Evaluate>
+KOKKOS_FORCEINLINE_FUNCTION void for_each_material_pair(PairTable const& pairs, View1<std::uint8_t> const& material,
+                                                        int const* i, int const* j, Evaluate const& evaluate)
+{
+    int index[lane_count];
+    for (int n = 0; n < lane_count; ++n) index[n] = pairs.index(material(i[n]), material(j[n]));
+    for_each_material_pair(pairs, index, evaluate);
 }
 
 } // namespace arenite

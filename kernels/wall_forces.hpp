@@ -4,13 +4,51 @@
 #pragma once
 
 #include "kernels/contact/contact_law.hpp"
+#include "kernels/contact_lanes.hpp"
 #include "kernels/step_gate.hpp"
 #include "kernels/wall_contacts.hpp"
 
 namespace arenite {
 
-/// The rows of one grain on one wall. They are done together because on a mesh the spring moves from facet to
-/// facet with the rolling or sliding grain.
+/// Rows that go on touching, lane_count of them at a time, with what of their walls the law needs.
+struct WallContactBatch {
+    int count = 0;
+    int row[lane_count], grain[lane_count], pair[lane_count]; // pair: of materials
+    Real normal[3][lane_count], distance[lane_count];
+    Real wall_velocity[3][lane_count], wall_spin[3][lane_count]; // at the contact, m/s; rad/s
+
+    KOKKOS_FUNCTION void add(int c, int i, int materials, WallProximity const& p, WallPose const& pose, Vec3 const& x)
+    {
+        int const n = count++;
+        row[n] = c, grain[n] = i, pair[n] = materials, distance[n] = p.distance;
+        Vec3 const velocity = pose.velocity_at(x - p.distance * p.normal);
+        for (int axis = 0; axis < 3; ++axis) {
+            normal[axis][n] = p.normal[axis];
+            wall_velocity[axis][n] = velocity[axis];
+            wall_spin[axis][n] = pose.angular_velocity[axis];
+        }
+    }
+    /// Names the last row again in the lanes that are left: they compute and store the same.
+    KOKKOS_FUNCTION void fill()
+    {
+        for (int n = count; n < lane_count; ++n) {
+            row[n] = row[n - 1], grain[n] = grain[n - 1], pair[n] = pair[n - 1], distance[n] = distance[n - 1];
+            for (int axis = 0; axis < 3; ++axis) {
+                normal[axis][n] = normal[axis][n - 1];
+                wall_velocity[axis][n] = wall_velocity[axis][n - 1];
+                wall_spin[axis][n] = wall_spin[axis][n - 1];
+            }
+        }
+    }
+};
+
+KOKKOS_FORCEINLINE_FUNCTION Vector<Lanes> load_vectors(Real const (&columns)[3][lane_count])
+{
+    return {load_lanes(columns[0]), load_lanes(columns[1]), load_lanes(columns[2])};
+}
+
+/// The rows of some grains on their walls. Those of one grain on one wall, a group, are done together because on a mesh the
+/// spring moves from facet to facet with the rolling or sliding grain.
 template <class Law> struct WallContactEvaluation {
     Law law;
     WallContactRows list;
@@ -20,20 +58,51 @@ template <class Law> struct WallContactEvaluation {
     Real dt;
     StepGate gate = {};
 
-    enum Touching : std::uint8_t { no = 0, yes = 1, ended = 2, begins = 3 };
+    using Numbers = Vector<Lanes>;
+    static constexpr int groups_at_once = lane_count > 1 ? 4 * lane_count : 1; // not all of them touch: lanes are to be full
 
-    KOKKOS_FUNCTION void operator()(int g) const
+    enum Touching : std::uint8_t { no = 0, yes = 1, begins = 3, ended = 2 };
+
+    KOKKOS_FUNCTION void operator()(int block) const
     {
         if (gate.closed()) return;
-        int const first = list.group(g), last = list.group(g + 1);
+        int const end = Kokkos::min((block + 1) * groups_at_once, list.groups);
+        WallContactBatch batch;
+        for (int g = block * groups_at_once; g < end; ++g) visit_group(list.group(g), list.group(g + 1), batch);
+        if (batch.count > 0) evaluate(batch);
+    }
+
+    /// Rows first .. last - 1. Those that go on touching wait in the batch until it is full.
+    KOKKOS_FUNCTION void visit_group(int first, int last, WallContactBatch& batch) const
+    {
         WallBody const& body = walls.body(walls.wall_of_element(list.element(first)));
-        int begun = 0;
-        for (int c = first; c < last; ++c) begun += visit(c, body);
+        int begun = 0, done = 0;
+        for (int c = first; c < last; ++c) {
+            bool touches = false;
+            WallProximity const p = look(c, body, touches);
+            bool const touched = list.touching(c);
+            if (touches && touched) add(c, body, p, batch);
+            else if (touches) list.touching(c) = begins, ++begun;
+            else if (touched) list.touching(c) = ended, ++done;
+        }
+        if (begun + done == 0) return;
         if (begun > 0 && Law::has_history && last - first > 1 && body.shape == WallShape::mesh) hand_over(first, last);
         for (int c = first; c < last; ++c) {
-            if (list.touching(c) == begins) evaluate(c, body);
             if (list.touching(c) == ended) clear(c);
+            if (list.touching(c) != begins) continue;
+            bool touches = false;
+            WallProximity const p = look(c, body, touches);
+            add(c, body, p, batch);
         }
+    }
+
+    KOKKOS_FUNCTION void add(int c, WallBody const& body, WallProximity const& p, WallContactBatch& batch) const
+    {
+        int const i = list.grain(c);
+        batch.add(c, i, law.pairs.index(material(i), body.material), p, body.pose, vector_of(position, i));
+        if (batch.count < lane_count) return;
+        evaluate(batch);
+        batch.count = 0;
     }
 
     /// Where the row's element is to the grain, and whether the row carries a force.
@@ -46,17 +115,6 @@ template <class Law> struct WallContactEvaluation {
         touches = p.faces && p.distance < position(i, 3);
         if constexpr (Law::adheres) touches = touches || (p.faces && list.adhering(c));
         return p;
-    }
-
-    /// Evaluates a row that goes on touching; marks rows that begin or end. 1 for one that begins.
-    KOKKOS_FUNCTION int visit(int c, WallBody const& body) const
-    {
-        bool touches = false;
-        WallProximity const p = look(c, body, touches);
-        if (touches && list.touching(c)) evaluate_at(c, body, p);
-        else if (touches) list.touching(c) = begins;
-        else if (list.touching(c)) list.touching(c) = ended;
-        return touches && list.touching(c) == begins;
     }
 
     KOKKOS_FUNCTION void hand_over(int first, int last) const
@@ -83,61 +141,65 @@ template <class Law> struct WallContactEvaluation {
         for (int n = 0; n < 8; ++n) list.force(c, n) = 0;
     }
 
-    KOKKOS_FUNCTION void evaluate(int c, WallBody const& body) const
+    KOKKOS_FUNCTION void evaluate(WallContactBatch& batch) const
     {
-        bool touches = false;
-        WallProximity const p = look(c, body, touches);
-        evaluate_at(c, body, p);
+        batch.fill();
+        LaneRecords const at = load_records(position.data(), batch.grain),
+                          moving = load_records(velocity.data(), batch.grain),
+                          turning = load_records(spin.data(), batch.grain);
+        Lanes const radius = at.w, distance = load_lanes(batch.distance);
+        ContactGeometry<Lanes> contact;
+        contact.normal = load_vectors(batch.normal);
+        contact.overlap = radius - distance;
+        contact.motion = surface_motion(
+            moving.xyz - distance * cross(turning.xyz, contact.normal) - load_vectors(batch.wall_velocity), contact.normal);
+        contact.scale = {radius, moving.w, 0};
+        ContactState<Lanes> state;
+        if constexpr (Law::adheres) {
+            contact.scale.cube_root_of_radius = make_lanes([&](int n) { return Kokkos::cbrt(lane(radius, n)); });
+            state.adhering = make_lanes([&](int n) { return Real(list.adhering(batch.row[n])); }) > Lanes(0);
+        }
+        LaneRecords const before = load_records(list.normal.data(), batch.row); // the normal of the last step, and the side
+        if constexpr (Law::has_history) {
+            LaneRecords const spring = load_records(list.spring.data(), batch.row);
+            state.previous_radius = spring.w;
+            Lanes const twist = Real(0.5) * dt * dot(turning.xyz + load_vectors(batch.wall_spin), contact.normal);
+            // Without a spring there may have been no normal before.
+            LaneMask const stretched = dot(spring.xyz, spring.xyz) > Lanes(0);
+            ContactTurn<Lanes> const turn = contact_turn(before.xyz, contact.normal);
+            state.spring = select(stretched, transport_spring(spring.xyz, turn, contact.normal, twist), Numbers{});
+        }
+        Numbers force;
+        Lanes stiffness = 0; // S_n = 2 E* a, Hertz
+        Lanes const hertz_radius = square_root(radius * larger(contact.overlap, Lanes(0)));
+        ContactState<Lanes> const entering = state;
+        for_each_material_pair(law.pairs, batch.pair, [&](PairConstants const& pair, LaneMask const& same) {
+            ContactState<Lanes> after = entering;
+            force = select(same, law(contact, pair, after, dt), force);
+            stiffness = select(same, 2 * pair.effective_youngs_modulus * hertz_radius, stiffness);
+            state = select(same, after, state);
+        });
+        store(batch, {contact.normal, before.w}, force, distance, stiffness, state);
     }
 
-    KOKKOS_FUNCTION void evaluate_at(int c, WallBody const& body, WallProximity const& p) const
+    /// A row that has come apart keeps nothing but its normal.
+    KOKKOS_FUNCTION void store(WallContactBatch const& batch, LaneRecords const& normal, Numbers const& force,
+                               Lanes const& distance, Lanes const& stiffness, ContactState<Lanes> const& state) const
     {
-        int const i = list.grain(c);
-        Vec3 const x = vector_of(position, i), spin_i = vector_of(spin, i);
-        Real const radius = position(i, 3);
-        PairConstants const& pair = law.pairs(material(i), body.material);
-        ContactGeometry<> contact;
-        contact.normal = p.normal;
-        contact.overlap = radius - p.distance;
-        contact.motion = surface_motion(vector_of(velocity, i) - p.distance * cross(spin_i, p.normal) -
-                                            body.pose.velocity_at(x - p.distance * p.normal),
-                                        p.normal);
-        contact.scale = {radius, velocity(i, 3), Law::adheres ? Kokkos::cbrt(radius) : Real(0)};
-        ContactState<> state;
-        if constexpr (Law::adheres) state.adhering = list.adhering(c);
-        if constexpr (Law::has_history) {
-            Vec3 const spring = vector_of(list.spring, c);
-            state.previous_radius = list.spring(c, 3);
-            if (dot(spring, spring) > 0) {
-                Real const twist = Real(0.5) * dt * dot(spin_i + body.pose.angular_velocity, p.normal);
-                state.spring = transport_spring(spring, vector_of(list.normal, c), p.normal, twist);
-            }
+        Lanes const touching = select(state.touching, Lanes(1), Lanes(0)),
+                    adhering = select(state.adhering, Lanes(1), Lanes(0));
+        for (int n = 0; n < lane_count; ++n) {
+            list.touching(batch.row[n]) = lane(touching, n) > 0 ? yes : no;
+            if constexpr (Law::adheres) list.adhering(batch.row[n]) = lane(touching, n) > 0 && lane(adhering, n) > 0;
         }
-        Vec3 const force = law(contact, pair, state, dt);
-        if (!state.touching) return clear(c);
-        list.touching(c) = yes;
-        if constexpr (Law::adheres) list.adhering(c) = state.adhering;
-        if constexpr (Law::has_history) {
-            set_vector(list.spring, c, state.spring);
-            list.spring(c, 3) = state.previous_radius;
-        }
-        set_vector(list.normal, c, p.normal);
-        store(c, force, p, pair, radius);
-    }
-
-    KOKKOS_FUNCTION void store(int c, Vec3 const& force, WallProximity const& p, PairConstants const& pair,
-                               Real radius) const
-    {
-        Real const overlap = Kokkos::fmax(radius - p.distance, Real(0));
-        Vec3 const moment = cross(p.normal, force);
-        list.force(c, 0) = force.x;
-        list.force(c, 1) = force.y;
-        list.force(c, 2) = force.z;
-        list.force(c, 3) = p.distance;
-        list.force(c, 4) = moment.x;
-        list.force(c, 5) = moment.y;
-        list.force(c, 6) = moment.z;
-        list.force(c, 7) = 2 * pair.effective_youngs_modulus * Kokkos::sqrt(radius * overlap); // S_n = 2 E* a, Hertz
+        store_records(normal, list.normal.data(), batch.row);
+        if constexpr (Law::has_history) store_records({state.spring, state.previous_radius}, list.spring.data(), batch.row);
+        auto const half = [&](int n, int which) {
+            return list.force.data() + 8 * static_cast<std::ptrdiff_t>(batch.row[n]) + 4 * which;
+        };
+        store_records_at({force, select(state.touching, distance, Lanes(0))}, [&](int n) { return half(n, 0); });
+        store_records_at({cross(normal.xyz, force), select(state.touching, stiffness, Lanes(0))},
+                         [&](int n) { return half(n, 1); });
     }
 };
 
@@ -146,7 +208,8 @@ void evaluate_wall_contacts(Law const& law, Particles const& particles, Walls co
                             Real dt, StepGate const& gate = {})
 {
     if (contacts.groups == 0) return;
-    Kokkos::parallel_for("evaluate_wall_contacts", RangePolicy(0, contacts.groups),
+    constexpr int each = WallContactEvaluation<Law>::groups_at_once;
+    Kokkos::parallel_for("evaluate_wall_contacts", RangePolicy(0, (contacts.groups + each - 1) / each),
                          WallContactEvaluation<Law>{law, contacts, walls.views, particles.position, particles.velocity,
                                                     particles.spin, particles.material, dt, gate});
 }

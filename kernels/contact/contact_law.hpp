@@ -24,6 +24,13 @@ template <class N = Real> struct ContactState {
     MaskOf<N> touching = MaskOf<N>(false); // carried a force at the last step
 };
 
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION ContactState<N> select(MaskOf<N> const& mask, ContactState<N> const& a, ContactState<N> const& b)
+{
+    return {select(mask, a.spring, b.spring), select(mask, a.previous_radius, b.previous_radius),
+            select(mask, a.adhering, b.adhering), select(mask, a.touching, b.touching)};
+}
+
 template <class Normal, class Tangential> struct ContactLaw {
     static constexpr bool adheres = Normal::adheres;
     static constexpr bool has_history = Tangential::has_history;
