@@ -26,13 +26,20 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
     PeriodicBox box;
     Real dt;
     StepGate gate = {};
+    BlockTurns turns{list};
 
     using Numbers = Vector<Lanes>;
 
-    KOKKOS_FORCEINLINE_FUNCTION void operator()(int block) const
+    KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const
     {
         if (gate.closed()) return;
-        int const c = block * lane_count;
+        int const first = turns.begin(list, k), end = Kokkos::min(first + turns.length, turns.blocks);
+        for (int block = first; block < end; ++block) visit(block * lane_count);
+    }
+
+    /// Contacts c .. c + lane_count - 1.
+    KOKKOS_FORCEINLINE_FUNCTION void visit(int c) const
+    {
         int const *const i = &list.first(c), *const j = &list.second(c);
         ask_for_later(j, position, velocity, spin);
         LaneRecords const between =
@@ -137,7 +144,7 @@ void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox c
 {
     static_assert(contact_block % lane_count == 0);
     auto const launch = [&](auto const& evaluation) {
-        Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, blocks_of(contacts)), evaluation);
+        Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, evaluation.turns.count), evaluation);
     };
     auto const launch_for = [&]<BoxKind kind, bool several>() {
         launch(ContactEvaluation<Law, kind, several>{law, contacts, particles.position, particles.velocity, particles.spin,

@@ -6,10 +6,41 @@
 #include "core/lanes.hpp"
 #include "core/material.hpp"
 
+#include <algorithm>
+
 namespace arenite {
 
 /// Blocks of lane_count contacts that hold them all.
 inline int blocks_of(ContactList const& list) { return (list.count + lane_count - 1) / lane_count; }
+
+/// How the threads of a host share the blocks of a list. Close contacts are first in it and cost several times what the
+/// others do: both kinds come in turns, in proportion and each in its order, so that threads with as many turns have as much
+/// to do. On a device a turn is one block, and they come as they are.
+struct BlockTurns {
+    int blocks = 0, length = 1, count = 0; // length: blocks of a turn
+
+    BlockTurns(ContactList const& list, int on_host_length)
+        : blocks(blocks_of(list)), length(on_host ? std::max(1, on_host_length) : 1), count((blocks + length - 1) / length)
+    {
+    }
+    /// Long turns, 16 a thread: the streams through memory begin anew with each.
+    explicit BlockTurns(ContactList const& list) : BlockTurns(list, length_for(list, ExecutionSpace().concurrency())) {}
+
+    static int length_for(ContactList const& list, int threads)
+    {
+        return threads == 1 ? blocks_of(list) : std::max(8, blocks_of(list) / (16 * threads));
+    }
+
+    /// First block of the k-th turn.
+    KOKKOS_FORCEINLINE_FUNCTION int begin(ContactList const& list, int k) const
+    {
+        if constexpr (!on_host) return k;
+        int const close = list.row_begin(list.grains()) / (length * lane_count), others = count - close;
+        long long const share = static_cast<long long>(k) * others;
+        int const before = static_cast<int>(share / count); // turns of others among those before k
+        return length * (share % count + others >= count ? close + before : k - before);
+    }
+};
 
 KOKKOS_FORCEINLINE_FUNCTION LaneRecords records_of(RecordView const& view, int const* grains)
 {

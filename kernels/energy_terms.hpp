@@ -95,11 +95,13 @@ template <class Law> struct PairPower {
     RecordView position, velocity, spin;
     View1<std::uint8_t> material, adhered; // adhered: the flags before the last evaluation, or empty
     PeriodicBox box;
+    BlockTurns turns{list, 1};
 
-    KOKKOS_FUNCTION Terms<8> operator()(int block) const
+    /// Of the k-th block.
+    KOKKOS_FUNCTION Terms<8> operator()(int k) const
     {
         Terms<8> terms{};
-        int const c = block * lane_count;
+        int const c = turns.begin(list, k) * lane_count;
         if constexpr (Law::adheres)
             if (adhered.extent(0) > 0) terms[7] = adhesion_jumps(c);
         LaneMask touching = load_flags(&list.touching(c));

@@ -62,7 +62,8 @@ KOKKOS_FUNCTION void add_row(ContactList const& list, int c, bool second, Vec3& 
 
 void contact_rows(Pack const& pack)
 {
-    Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, blocks_of(pack.contacts)), evaluation_of(pack, pack.contacts));
+    Evaluation const evaluate = evaluation_of(pack, pack.contacts);
+    Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, evaluate.turns.count), evaluate);
     ContactList const list = pack.contacts;
     Particles const grains = pack.particles;
     Kokkos::parallel_for(
@@ -86,7 +87,7 @@ void atomic_adds(Pack const& pack)
     Kokkos::deep_copy(grains.torque, 0);
     Kokkos::parallel_for(
         "atomic_adds", RangePolicy(0, blocks_of(list)), KOKKOS_LAMBDA(int block) {
-            evaluate(block);
+            evaluate.visit(block * lane_count);
             int const begin = block * lane_count, end = begin + lane_count < list.count ? begin + lane_count : list.count;
             for (int row = 2 * begin; row < 2 * end; ++row) {
                 int const c = row / 2, side = row % 2;
