@@ -111,8 +111,9 @@ KOKKOS_FORCEINLINE_FUNCTION void write_inner_weights(GrainWeights const& weights
         }
 }
 
-KOKKOS_FORCEINLINE_FUNCTION void write_axis_weights(GrainWeights const& weights, int axis, Lanes const& coordinate,
-                                                    int const (&entry)[lane_count])
+/// Start cells of the axis.
+KOKKOS_FORCEINLINE_FUNCTION Lanes write_axis_weights(GrainWeights const& weights, int axis, Lanes const& coordinate,
+                                                     int const (&entry)[lane_count])
 {
     DepositStencil const& stencil = weights.stencil;
     Lanes const scaled = cell_coordinate(stencil.grid, axis, coordinate);
@@ -121,12 +122,13 @@ KOKKOS_FORCEINLINE_FUNCTION void write_axis_weights(GrainWeights const& weights,
     LaneMask const inside = LaneMask(stencil.slots[axis] == touched) && first >= Lanes(0) &&
                             first + Real(touched) <= Lanes(stencil.grid.cells[axis]);
     if (any(inside)) write_inner_weights(weights, axis, scaled, first, entry);
-    if (all(inside)) return;
+    if (all(inside)) return first;
     AxisColumns const columns = axis_columns(stencil, axis);
     Lanes const is_inside = select(inside, Lanes(1), Lanes(0));
     for (int n = 0; n < lane_count; ++n)
         if (lane(is_inside, n) == 0)
             write_folded_weights(stencil, axis, lane(scaled, n), &weights.weight(entry[n], columns.first), columns.count);
+    return select(inside, first, make_lanes([&](int n) { return Real(start_cell(stencil, axis, lane(scaled, n))); }));
 }
 
 /// Number of the bin that holds a grain: its block, and in it bins_per_axis^3 bins by the place in a cell.
@@ -159,10 +161,22 @@ void write_weights(GrainWeights const& weights, RecordView const& position, View
                 entry[n] = Kokkos::min(block * lane_count + n, weights.entries - 1);
                 row[n] = weights.bins.item(entry[n]);
                 prefetch(&position(weights.later_row(entry[n]), 0));
-                weights.block(entry[n]) = bin(row[n]) / weights.bins_per_block;
             }
             LaneRecords const at = load_records(position.data(), row);
-            for (int axis = 0; axis < 3; ++axis) write_axis_weights(weights, axis, at.xyz[axis], entry);
+            DepositStencil const& stencil = weights.stencil;
+            Lanes number = 0;
+            LaneMask whole(true);
+            for (int axis = 2; axis >= 0; --axis) {
+                Real const cells = stencil.grid.cells[axis];
+                Lanes const start = write_axis_weights(weights, axis, at.xyz[axis], entry);
+                number = number * cells + start;
+                whole = whole && start + Real(stencil.slots[axis]) <= Lanes(cells);
+            }
+            Lanes const cell = select(whole, number, Lanes(-1));
+            for (int n = 0; n < lane_count; ++n) {
+                auto const first = static_cast<int>(lane(cell, n));
+                weights.first_cell(entry[n]) = first >= 0 ? first : -1 - bin(row[n]) / weights.bins_per_block;
+            }
         });
 }
 
@@ -371,7 +385,7 @@ GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const&
 {
     GrainWeights weights;
     weights.stencil = stencil;
-    weights.block = spare.block;
+    weights.first_cell = spare.first_cell;
     weights.weight = spare.weight;
     double const bins_per_block = static_cast<double>(count) / grains_per_bin / stencil.block_count();
     int const bins_per_axis = std::max(1, static_cast<int>(std::cbrt(bins_per_block)));
@@ -380,7 +394,7 @@ GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const&
     weights.bins = make_cell_list(bin, id, count, stencil.block_count() * weights.bins_per_block);
     weights.entries = weights.bins.entries;
     auto const rows = static_cast<std::size_t>(weights.entries), columns = static_cast<std::size_t>(stencil.columns());
-    if (weights.block.extent(0) < rows) weights.block = View1<int>(uninitialized("block_of_entry"), rows);
+    if (weights.first_cell.extent(0) < rows) weights.first_cell = View1<int>(uninitialized("first_cell_of_entry"), rows);
     if (weights.weight.extent(0) < rows || weights.weight.extent(1) != columns)
         weights.weight = TableView(uninitialized("grain_weights"), rows, columns);
     long long partial = 0;

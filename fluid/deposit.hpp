@@ -66,10 +66,10 @@ struct GrainWeights {
     DepositStencil stencil;
     int entries = 0;
     int bins_per_block = 1;
-    CellList bins;       // bins.item: [entry] row of the grain
-    View1<int> block;    // [entry] start cell, as sx + starts_x (sy + starts_y sz)
-    TableView weight;    // [entry][slots of x, of y, of z, each padded with 0]
-    View1<Real> partial; // work space of deposits
+    CellList bins;         // bins.item: [entry] row of the grain
+    View1<int> first_cell; // [entry] number of the block's first cell; -1 - block where that reaches over a periodic end
+    TableView weight;      // [entry][slots of x, of y, of z, each padded with 0]
+    View1<Real> partial;   // work space of deposits
 
     KOKKOS_FUNCTION int begin(int of_block) const { return bins.begin(of_block * bins_per_block); }
     /// Row of a grain some entries on: grains of neighbouring entries lie apart in memory and are asked for early.
@@ -94,16 +94,16 @@ inline TableView make_interpolated(std::string const& label, Grid const& grid, i
 
 namespace deposit_detail {
 
-/// Sums over a block of cells that lies whole in the box. start: of its first cell; groups: of a row's cells.
+/// Sums over a block of cells that lies whole in the box, `groups` groups of them in a row.
 template <int groups, int quads>
-KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real const* weight, int const (&start)[3],
+KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real const* weight, int first_cell,
                                            TableView const& cell, Quad (&sum)[quads])
 {
     constexpr int count = groups * DepositStencil::group;
     Grid const& grid = stencil.grid;
     std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(cell.stride(0)), row = stride * grid.cells[0],
                          plane = row * grid.cells[1];
-    Real const* const first = cell.data() + stride * start[0] + row * start[1] + plane * start[2];
+    Real const* const first = cell.data() + stride * first_cell;
     Real wx[count];
     for (int a = 0; a < count; ++a) wx[a] = weight[a];
     Real const *const wy = weight + stencil.y_slot(), *const wz = weight + stencil.z_slot();
@@ -144,16 +144,17 @@ KOKKOS_FORCEINLINE_FUNCTION void interpolate_at(GrainWeights const& weights, int
                                                 Real (&value)[components])
 {
     DepositStencil const& stencil = weights.stencil;
-    int const block = weights.block(entry);
-    int const start[3] = {block % stencil.starts[0], block / stencil.starts[0] % stencil.starts[1],
-                          block / (stencil.starts[0] * stencil.starts[1])};
-    bool whole = true;
-    for (int axis = 0; axis < 3; ++axis) whole = whole && start[axis] + stencil.slots[axis] <= stencil.grid.cells[axis];
+    int const first = weights.first_cell(entry);
     Real const* const weight = &weights.weight(entry, 0);
     Quad sum[(components + 3) / 4] = {};
-    if (whole && stencil.groups == 1) deposit_detail::sum_block<1>(stencil, weight, start, cell, sum);
-    else if (whole && stencil.groups == 2) deposit_detail::sum_block<2>(stencil, weight, start, cell, sum);
-    else deposit_detail::sum_any_block(stencil, weight, start, cell, sum);
+    if (first >= 0 && stencil.groups == 1) deposit_detail::sum_block<1>(stencil, weight, first, cell, sum);
+    else if (first >= 0 && stencil.groups == 2) deposit_detail::sum_block<2>(stencil, weight, first, cell, sum);
+    else {
+        int const code = first >= 0 ? first : -1 - first;
+        int const nx = first >= 0 ? stencil.grid.cells[0] : stencil.starts[0],
+                  ny = first >= 0 ? stencil.grid.cells[1] : stencil.starts[1];
+        deposit_detail::sum_any_block(stencil, weight, {code % nx, code / nx % ny, code / (nx * ny)}, cell, sum);
+    }
     for (int q = 0; q < components; ++q) value[q] = sum[q / 4][q % 4];
 }
 

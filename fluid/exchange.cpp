@@ -22,11 +22,13 @@ void fit(TableView& table, char const* label, int rows, int columns)
 }
 
 /// position: [row of the first `entries` items](x, y, z, radius).
+/// row: [entry] of position, or empty where that is by entry itself.
 void evaluate_volume(RecordView const& position, View1<int> const& row, int entries, TableView const& volume)
 {
+    bool const by_entry = !row.is_allocated();
     Kokkos::parallel_for(
         "evaluate_volume", RangePolicy(0, entries),
-        KOKKOS_LAMBDA(int entry) { volume(entry, 0) = sphere_volume(position(row(entry), 3)); });
+        KOKKOS_LAMBDA(int entry) { volume(entry, 0) = sphere_volume(position(by_entry ? entry : row(entry), 3)); });
 }
 
 /// Number of cells that were too full and the lowest porosity before the limit.
@@ -236,7 +238,7 @@ void deposit_porosity(Flow& flow, Exchange& exchange, Particles const& particles
     exchange.spare = before;
     exchange.coupled = now;
 
-    evaluate_volume(particles.position, weights.bins.item, weights.entries, exchange.volume);
+    evaluate_volume(now.position, {}, now.count, exchange.volume);
     deposit(weights, exchange.volume, exchange.cell_sum, 1);
     write_porosity(flow, exchange, report);
     if (report.limited_cells > 0) report.limited_volume = limited_volume(exchange);

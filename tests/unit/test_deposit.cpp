@@ -239,8 +239,8 @@ TEST(Deposit, GrainsOutsideAreLeftOutAndPeriodicOnesWrapped)
         grains_at({inside, inside + Vec3{0, 0, 1}, inside + Vec3{0, -1, 0}, inside + Vec3{grid.length(0), 0, 0}});
     GrainWeights const weights = weights_of(grid, 1e-3, particles);
     EXPECT_EQ(weights.entries, 2);
-    auto const block = Kokkos::create_mirror_view_and_copy(HostSpace(), weights.block);
-    EXPECT_EQ(block(0), block(1));
+    auto const first = Kokkos::create_mirror_view_and_copy(HostSpace(), weights.first_cell);
+    EXPECT_EQ(first(0), first(1));
 }
 
 TEST(Deposit, NoGrains)
