@@ -76,16 +76,16 @@ double multiply_add_rate()
 //                      a grain:       position, velocity, spin 2 x 96; reference position 32; motion 1; list ends 8
 // Flops. An addition, product, quotient or root is one; a comparison, a selection or a change of sign none.
 //   a candidate:  offset 3, its square 5, reach 1; the gather on both sides 2 x 12
-//   a contact:    distance, normal, overlap, arms 16; approach 3; previous normal 31; spins and turn 30;
-//                 surface velocity 51; twist 9; spring's transport 38; dashpot, slip, sums 24; tangential spring and limits
-//                 35; moment 9; Hertz 5, or JKR's curve 56 and its limit 2
+//   a contact:    distance, normal, overlap, arms 14; approach 3 and its normal part 5; turn of the normal 34; spins 23;
+//                 surface motion 36; twist 7; spring's transport 38; dashpot and sums 12; tangential spring and limits 41;
+//                 moment 9; Hertz 5, or JKR's curve 56 and its limit 2
 //   a grain:      weight 6, check 11, two half kicks 28, move 24
 StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_per_grain)
 {
     bool const jkr = law != NormalLaw::hertz;
     StepCost cost;
     cost.bytes = candidates_per_grain * (9 + jkr + 72) + contacts_per_grain * (145 + 9 * jkr) + 96 + 233;
-    cost.flops = candidates_per_grain * 33 + contacts_per_grain * (246 + (jkr ? 58 : 5)) + 69;
+    cost.flops = candidates_per_grain * 33 + contacts_per_grain * (222 + (jkr ? 58 : 5)) + 69;
     return cost;
 }
 
