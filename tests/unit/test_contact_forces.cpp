@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The contact kernel on pairs of grains: symmetry, hard geometry, images, a deforming box.
 #include "apps/verify/grain_system.hpp"
+#include "kernels/contact_lanes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -186,6 +187,35 @@ TEST(ContactForces, DoNotDependOnWhoSharesTheVector)
         EXPECT_EQ(force_on(system, 2 * n + 1), -force) << n;
     }
     EXPECT_EQ(touching, 11);
+}
+
+/// How often each block of a list of so many contacts comes, `close` of them close.
+std::vector<int> visits(int contacts, int close, int length)
+{
+    ContactList list;
+    list.count = contacts;
+    list.row_begin = View1<int>("row_begin", 3); // one grain
+    auto const begin = Kokkos::create_mirror_view(list.row_begin);
+    begin(1) = close;
+    begin(2) = contacts;
+    Kokkos::deep_copy(list.row_begin, begin);
+    BlockTurns const turns(list, length);
+    View1<int> const count("visits", blocks_of(list));
+    Kokkos::parallel_for(
+        "visits", RangePolicy(0, turns.count), KOKKOS_LAMBDA(int k) {
+            int const first = turns.begin(list, k), end = Kokkos::min(first + turns.length, turns.blocks);
+            for (int block = first; block < end; ++block) Kokkos::atomic_inc(&count(block));
+        });
+    auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), count);
+    return {host.data(), host.data() + host.extent(0)};
+}
+
+TEST(ContactForces, TurnsVisitEveryBlockOnce)
+{
+    for (int const contacts : {0, 1, 8, 9, 803, 4096})
+        for (int const close : {0, 1, contacts / 3, contacts - 1, contacts})
+            for (int const length : {1, 3, 8, 1000})
+                for (int const times : visits(contacts, std::clamp(close, 0, contacts), length)) EXPECT_EQ(times, 1);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/verify/materials.hpp"
+#include "core/particles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -103,6 +104,25 @@ TEST(Material, StageInteractionsReplaceTheScenes)
     EXPECT_EQ(make_pair_constants(scene, stage, stage.contact)[0].friction, 0.2);
     stage.interactions[0].friction.reset(); // complete: the scene's 0.6 does not show through
     EXPECT_EQ(make_pair_constants(scene, stage, stage.contact)[1].friction, 0.2);
+}
+
+TEST(Material, GrainsOfOneMaterialShareAPair)
+{
+    auto const grains_of = [](std::vector<int> const& materials) {
+        std::vector<Grain> grains(materials.size());
+        for (std::size_t n = 0; n < grains.size(); ++n) {
+            grains[n].diameter = 2e-4;
+            grains[n].material = materials[n];
+        }
+        return make_particles(grains, {2600, 2600});
+    };
+    EXPECT_EQ(shared_material(grains_of({1, 1, 1})), 1);
+    EXPECT_EQ(shared_material(grains_of({1, 0, 1})), -1);
+    EXPECT_EQ(shared_material(grains_of({})), -1);
+    std::vector<PairConstants> const two_materials(4), one_material(1);
+    EXPECT_EQ(upload(two_materials, 1).shared, 3);
+    EXPECT_EQ(upload(two_materials, -1).shared, -1);
+    EXPECT_EQ(upload(one_material).shared, 0);
 }
 
 } // namespace

@@ -48,6 +48,32 @@ TEST(Tangential, RigidTurnDoesNotSlip)
     }
 }
 
+TEST(Tangential, StraightStepTurnsTheNormalAsItsEndsSay)
+{
+    constexpr Real dt = 1e-8;
+    Vec3 const offset{0.12e-3, -0.15e-3, 0.08e-3};
+    Real const distance = norm(offset);
+    Vec3 const normal = normalized(offset);
+    for (Real const share : {0.0, 1e-9, 1e-5, 3e-4, 0.4, 1.0, 1.7, 4.0}) // of the distance, gone in the step
+        for (Vec3 const& way : {normal, Real(-1) * normal, normalized({1, 1, 0}), normalized({-1, 2, 0.5})}) {
+            Vec3 const approach = (share * distance / dt) * way, before = offset - dt * approach;
+            bool const followed = dot(before, normal) > 0; // centres that passed each other have no turn to follow
+            ContactTurn<Real> const expected = contact_turn(followed ? normalized(before) : normal, normal);
+            ContactTurn<Real> const turn =
+                straight_turn(offset, distance, 1 / distance, normal, approach, dot(approach, normal), dt);
+            EXPECT_NEAR(norm(turn.sum - expected.sum), 0, 2e-15) << share;
+            EXPECT_NEAR(turn.inverse, expected.inverse, 2e-15) << share;
+        }
+}
+
+TEST(Tangential, StraightStepOfConcentricGrains)
+{
+    Vec3 const normal{0, 0, 1};
+    ContactTurn<Real> const turn = straight_turn(Vec3{}, Real(0), Real(0), normal, {0.1, 0, 0}, Real(0), 1e-8);
+    EXPECT_TRUE(turn.sum == Real(2) * normal);
+    EXPECT_EQ(turn.inverse, 0.5);
+}
+
 PairConstants rough_pair(TangentialLaw law, FrictionLimit limit = FrictionLimit::thornton)
 {
     ContactSettings settings = contact_settings(NormalLaw::modified_jkr, DampingLaw::none, law);
