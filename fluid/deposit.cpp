@@ -20,7 +20,8 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N kernel_integral(N const& s)
     return select(s <= N(-1), N(0), select(s >= N(1), N(1), inner));
 }
 
-/// A coordinate in cells from the box's lower face, brought into a periodic box; -1 outside the box.
+/// A coordinate in cells from the box's lower face, brought into a periodic box; -1 outside the box. One number and lanes
+/// round alike (the product is of whole numbers): a grain's bin and its weights must name the same start cell.
 template <class N> KOKKOS_FORCEINLINE_FUNCTION N cell_coordinate(Grid const& grid, int axis, N const& coordinate)
 {
     Real const cells = grid.cells[axis];
