@@ -19,7 +19,8 @@ struct WallContactBatch {
 
     KOKKOS_FUNCTION void add(int c, int i, int materials, WallProximity const& p, WallPose const& pose, Vec3 const& x)
     {
-        int const n = count++;
+        int const n = lane_count > 1 ? count : 0; // a device keeps arrays with constant places in registers
+        ++count;
         row[n] = c, grain[n] = i, pair[n] = materials, distance[n] = p.distance;
         Vec3 const velocity = pose.velocity_at(x - p.distance * p.normal);
         for (int axis = 0; axis < 3; ++axis) {
@@ -31,6 +32,7 @@ struct WallContactBatch {
     /// Names the last row again in the lanes that are left: they compute and store the same.
     KOKKOS_FUNCTION void fill()
     {
+        if constexpr (lane_count == 1) return;
         for (int n = count; n < lane_count; ++n) {
             row[n] = row[n - 1], grain[n] = grain[n - 1], pair[n] = pair[n - 1], distance[n] = distance[n - 1];
             for (int axis = 0; axis < 3; ++axis) {

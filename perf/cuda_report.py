@@ -53,8 +53,9 @@ def label(mangled):
     if "Unvhdl" in mangled or names[0][0].islower():  # a lambda: its function says all
         return names[0]
     laws = [n for n in names[1:] if re.search(r"Law|Normal|Hertz|Jkr|Tangential|Mindlin|Spring|Secant|Box|Drag|Eval", n)]
-    kind = re.search(r"BoxKindE(\d)", mangled)
+    kind = re.search(r"BoxKindE(\d)E(Lb1E)?", mangled)
     laws += [["closed", "periodic", "deforming"][int(kind.group(1))]] if kind else []
+    laws += ["several materials"] if kind and kind.group(2) else []
     unique = list(dict.fromkeys(n for n in laws if n not in ("ContactLaw", "BoxKind")))
     return names[0] + (f"<{' '.join(unique)}>" if unique else "")
 
