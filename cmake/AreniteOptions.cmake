@@ -29,6 +29,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # Its own avx512fintrin.h sets it off at every use of a mask (GCC bug 105593).
   list(APPEND arenite_host_flags -Wno-uninitialized -Wno-maybe-uninitialized)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Vectors wider than the target's are passed between inline functions only (core/lanes.hpp).
+  list(APPEND arenite_host_flags -Wno-psabi)
+endif()
 if(ARENITE_WARNINGS_AS_ERRORS)
   list(APPEND arenite_host_flags -Werror)
 endif()

@@ -159,10 +159,6 @@ struct Quad {
     {
         return {{factor * q[0], factor * q[1], factor * q[2], factor * q[3]}};
     }
-    KOKKOS_FUNCTION friend Quad operator-(Quad const& a, Quad const& b)
-    {
-        return {{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]}};
-    }
     KOKKOS_FUNCTION Quad& operator+=(Quad const& q)
     {
         for (int n = 0; n < 4; ++n) number[n] += q[n];
@@ -175,16 +171,6 @@ struct Quad {
     }
 };
 #endif
-
-/// x, y, z: a - b; w: a + b.
-KOKKOS_FORCEINLINE_FUNCTION Quad differences_and_sum(Quad const& a, Quad const& b)
-{
-#ifdef ARENITE_HOST_LANES
-    return a + Quad{-1, -1, -1, 1} * b;
-#else
-    return {{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] + b[3]}};
-#endif
-}
 
 KOKKOS_FORCEINLINE_FUNCTION Quad load_quad(Real const* from)
 {
@@ -308,14 +294,17 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int co
 #endif
 }
 
-/// join(record rows[n], record others[n]) in lane n, join being of Quads: one turn in place of two.
-template <class Join>
-KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_joined(Real const* records, int const* rows, int const* others,
-                                                    Join const& join)
+/// Record `rows[n]` less record `others[n]` in lane n, but for the last number, a + sign b: one turn in place of two.
+KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_differences(Real const* records, int const* rows, int const* others, Real sign)
 {
     auto const quad = [&](int n) {
-        return join(load_record(records + 4 * static_cast<std::ptrdiff_t>(rows[n])),
-                    load_record(records + 4 * static_cast<std::ptrdiff_t>(others[n])));
+        Quad const a = load_record(records + 4 * static_cast<std::ptrdiff_t>(rows[n])),
+                   b = load_record(records + 4 * static_cast<std::ptrdiff_t>(others[n]));
+#ifdef ARENITE_HOST_LANES
+        return a + Quad{-1, -1, -1, sign} * b; // exact products
+#else
+        return Quad{{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] + sign * b[3]}};
+#endif
     };
 #ifdef ARENITE_EIGHT_LANES
     return lanes_detail::turn_eight(quad);

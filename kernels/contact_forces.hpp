@@ -42,8 +42,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
     {
         int const *const i = &list.first(c), *const j = &list.second(c);
         ask_for_later(j, position, velocity, spin);
-        LaneRecords const between =
-            load_joined(position.data(), i, j, [](Quad const& a, Quad const& b) { return differences_and_sum(a, b); });
+        LaneRecords const between = load_differences(position.data(), i, j, 1); // and the sum of the radii
         Numbers offset = between.xyz;
         if constexpr (kind != BoxKind::closed)
             if (list.periodic) offset -= image_shifts(list, box, c);
@@ -83,7 +82,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         Lanes const difference = reach - 2 * records_of(position, j).w; // of the radii
         Lanes const lead = smaller(larger(difference * reach * inverse, -reach), reach);
         Lanes const arm_i = Real(0.5) * (distance + lead), arm_j = Real(0.5) * (distance - lead);
-        Numbers approach = load_joined(velocity.data(), i, j, [](Quad const& a, Quad const& b) { return a - b; }).xyz;
+        Numbers approach = load_differences(velocity.data(), i, j, -1).xyz;
         // The grains of a deforming box ride on its homogeneous flow, which their velocities do not hold.
         if constexpr (kind == BoxKind::deforming) approach += box.stretch_velocity(offset);
         contact.scale = {load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), 0};
