@@ -270,34 +270,36 @@ template <class Places> [[gnu::always_inline]] inline void store_eight(LaneRecor
 } // namespace lanes_detail
 #endif
 
-/// Record `quads[n]` in lane n.
-KOKKOS_FORCEINLINE_FUNCTION LaneRecords lanes_of(Quad const (&quads)[lane_count])
+/// Record quad(n), a Quad, in lane n.
+template <class Quads> KOKKOS_FORCEINLINE_FUNCTION LaneRecords turned(Quads const& quad)
 {
 #ifdef ARENITE_EIGHT_LANES
-    return lanes_detail::turn_eight([&](int n) { return quads[n]; });
+    return lanes_detail::turn_eight(quad);
 #else
+    Quad quads[lane_count];
+    for (int n = 0; n < lane_count; ++n) quads[n] = quad(n);
     Lanes part[4];
     for (int k = 0; k < 4; ++k) part[k] = make_lanes([&](int n) { return quads[n][k]; });
     return {{part[0], part[1], part[2]}, part[3]};
 #endif
 }
 
+/// Record `quads[n]` in lane n.
+KOKKOS_FORCEINLINE_FUNCTION LaneRecords lanes_of(Quad const (&quads)[lane_count])
+{
+    return turned([&](int n) { return quads[n]; });
+}
+
 /// Record `rows[n]` of four numbers each in lane n.
 KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int const* rows)
 {
-#ifdef ARENITE_EIGHT_LANES
-    return lanes_detail::turn_eight([&](int n) { return load_quad(records + 4 * static_cast<std::ptrdiff_t>(rows[n])); });
-#else
-    Quad quads[lane_count];
-    for (int n = 0; n < lane_count; ++n) quads[n] = load_record(records + 4 * static_cast<std::ptrdiff_t>(rows[n]));
-    return lanes_of(quads);
-#endif
+    return turned([&](int n) { return load_record(records + 4 * static_cast<std::ptrdiff_t>(rows[n])); });
 }
 
 /// Record `rows[n]` less record `others[n]` in lane n, but for the last number, a + sign b: one turn in place of two.
 KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_differences(Real const* records, int const* rows, int const* others, Real sign)
 {
-    auto const quad = [&](int n) {
+    return turned([&](int n) {
         Quad const a = load_record(records + 4 * static_cast<std::ptrdiff_t>(rows[n])),
                    b = load_record(records + 4 * static_cast<std::ptrdiff_t>(others[n]));
 #ifdef ARENITE_HOST_LANES
@@ -305,14 +307,7 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_differences(Real const* records, in
 #else
         return Quad{{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] + sign * b[3]}};
 #endif
-    };
-#ifdef ARENITE_EIGHT_LANES
-    return lanes_detail::turn_eight(quad);
-#else
-    Quad quads[lane_count];
-    for (int n = 0; n < lane_count; ++n) quads[n] = quad(n);
-    return lanes_of(quads);
-#endif
+    });
 }
 
 /// Lane n's record to place(n).

@@ -21,8 +21,7 @@ void fit(TableView& table, char const* label, int rows, int columns)
     table = TableView(uninitialized(label), rows, columns);
 }
 
-/// position: [row of the first `entries` items](x, y, z, radius).
-/// row: [entry] of position, or empty where that is by entry itself.
+/// row: [entry] of position, or empty where position is by entry itself.
 void evaluate_volume(RecordView const& position, View1<int> const& row, int entries, TableView const& volume)
 {
     bool const by_entry = !row.is_allocated();

@@ -108,8 +108,8 @@ template <class Law> struct PairPower {
         if (!any(touching)) return terms;
         int const *const i = &list.first(c), *const j = &list.second(c);
         ask_for_later(j, position, velocity, spin);
-        LaneRecords const at_i = records_of(position, i), at_j = records_of(position, j);
-        Vector<Lanes> offset = at_i.xyz - at_j.xyz;
+        LaneRecords const between = load_differences(position.data(), i, j, 1); // and the sum of the radii
+        Vector<Lanes> offset = between.xyz;
         if (list.periodic) offset -= image_shifts(list, box, c);
         Lanes const distance = square_root(dot(offset, offset));
         touching = touching && distance > Lanes(0);
@@ -119,10 +119,10 @@ template <class Law> struct PairPower {
         LaneRecords const force = load_records(list.force.data(), force_rows);   // on i, arm of i
         LaneRecords const moment = load_records(list.force.data(), moment_rows); // n x F, arm of j
         ContactMotion<Lanes> contact;
-        contact.overlap = at_i.w + at_j.w - distance;
+        contact.overlap = between.w - distance;
         contact.normal = select(touching, 1 / distance, Lanes(0)) * offset;
         contact.force = force.xyz;
-        Vector<Lanes> const approach = records_of(velocity, i).xyz - records_of(velocity, j).xyz;
+        Vector<Lanes> const approach = load_differences(velocity.data(), i, j, -1).xyz;
         contact.velocity = approach + box.stretch_velocity(offset);
         Lanes const turning = -dot(moment.xyz, force.w * records_of(spin, i).xyz + moment.w * records_of(spin, j).xyz);
         contact.total = dot(contact.force, contact.velocity) + turning;

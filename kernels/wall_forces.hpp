@@ -63,7 +63,7 @@ template <class Law> struct WallContactEvaluation {
     using Numbers = Vector<Lanes>;
     static constexpr int groups_at_once = lane_count > 1 ? 4 * lane_count : 1; // not all of them touch: lanes are to be full
 
-    enum Touching : std::uint8_t { no = 0, yes = 1, begins = 3, ended = 2 };
+    enum Touching : std::uint8_t { no = 0, yes = 1, ended = 2, begins = 3 };
 
     KOKKOS_FUNCTION void operator()(int block) const
     {
