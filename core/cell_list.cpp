@@ -27,12 +27,12 @@ int scan_counts(View1<int> const& begin, int cells)
     return total;
 }
 
-void fill_cells(View1<int> const& cell_of_item, int items, CellList const& list, View1<int> const& cursor)
+void fill_cells(View1<int> const& cell_of_item, int items, CellList const& list)
 {
     Kokkos::parallel_for(
         "fill_cells", RangePolicy(0, items), KOKKOS_LAMBDA(int item) {
             int const cell = cell_of_item(item);
-            if (cell >= 0) list.item(list.begin(cell) + Kokkos::atomic_fetch_add(&cursor(cell), 1)) = item;
+            if (cell >= 0) list.item(list.begin(cell) + Kokkos::atomic_fetch_add(&list.cursor(cell), 1)) = item;
         });
 }
 
@@ -57,17 +57,25 @@ void sort_cells(View1<GrainId> const& id, CellList const& list, int cells)
         });
 }
 
+/// At least `length` entries, that many of them zero.
+void fill_zero(View1<int>& array, std::string const& label, int length)
+{
+    if (array.extent_int(0) < length) array = View1<int>(label, length);
+    else Kokkos::deep_copy(ExecutionSpace(), Kokkos::subview(array, Kokkos::make_pair(0, length)), 0);
+}
+
 } // namespace
 
-CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id, int items, int cells)
+CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id, int items, int cells,
+                        CellList const& spare)
 {
-    CellList list;
-    list.begin = View1<int>("cell_begin", cells + 1);
+    CellList list = spare;
+    fill_zero(list.begin, "cell_begin", cells + 1);
+    fill_zero(list.cursor, "cell_cursor", cells);
     count_items(cell_of_item, items, list.begin);
     list.entries = scan_counts(list.begin, cells);
-    list.item = View1<int>(uninitialized("cell_item"), list.entries);
-    View1<int> const cursor("cell_cursor", cells);
-    fill_cells(cell_of_item, items, list, cursor);
+    if (list.item.extent_int(0) < list.entries) list.item = View1<int>(uninitialized("cell_item"), list.entries);
+    fill_cells(cell_of_item, items, list);
     sort_cells(id, list, cells);
     return list;
 }

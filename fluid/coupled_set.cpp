@@ -55,7 +55,7 @@ CoupledSet coupled_set(GrainWeights const& weights, Particles const& particles, 
             prefetch(&position(later, 0));
             prefetch(&id(later));
             set.id(entry) = id(row(entry));
-            for (int c = 0; c < 4; ++c) set.position(entry, c) = position(row(entry), c);
+            store_record(load_record(&position(row(entry), 0)), &set.position(entry, 0));
             sum += mixed(set.id(entry));
         },
         digest);

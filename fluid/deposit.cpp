@@ -2,6 +2,7 @@
 #include "fluid/deposit.hpp"
 
 #include "core/error.hpp"
+#include "fluid/deposit_by_teams.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,16 +45,6 @@ KOKKOS_FUNCTION int start_cell(DepositStencil const& stencil, int axis, Real sca
     return Kokkos::max(0, Kokkos::min(first, stencil.starts[axis] - 1));
 }
 
-/// Where a cell index that lies outside the box belongs: the periodic image, or the mirror image in a wall.
-KOKKOS_FUNCTION int folded(int index, int cells, bool periodic)
-{
-    while (index < 0 || index >= cells) {
-        if (periodic) index += index < 0 ? cells : -cells;
-        else index = index < 0 ? -1 - index : 2 * cells - 1 - index;
-    }
-    return index;
-}
-
 /// An axis of the table of weights: first column, and their number with the padding.
 struct AxisColumns {
     int first, count;
@@ -65,48 +56,18 @@ KOKKOS_FUNCTION AxisColumns axis_columns(DepositStencil const& stencil, int axis
     return {end[axis], end[axis + 1] - end[axis]};
 }
 
-/// Of one grain, wherever it is. weight: its columns of the axis.
-KOKKOS_FUNCTION void write_folded_weights(DepositStencil const& stencil, int axis, Real scaled, Real* weight, int columns)
+/// The axis' columns of a grain a lane. weight_of(slot): called slot by slot, from the start cell on.
+template <class WeightOf>
+KOKKOS_FORCEINLINE_FUNCTION void write_slots(GrainWeights const& weights, int axis, int const (&entry)[lane_count],
+                                             WeightOf const& weight_of)
 {
-    int const cells = stencil.grid.cells[axis];
-    bool const periodic = stencil.grid.periodic[axis];
-    Real const cells_per_radius = stencil.grid.spacing[axis] / stencil.support_radius;
-    int const start = start_cell(stencil, axis, scaled);
-    for (int slot = 0; slot < columns; ++slot) weight[slot] = 0;
-    int const first = first_touched(stencil, axis, scaled), last = first + stencil.touched[axis] - 1;
-    Real below = 0;
-    for (int index = first; index <= last; ++index) {
-        Real const above = index < last ? kernel_integral((index + 1 - scaled) * cells_per_radius) : Real(1);
-        int slot = folded(index, cells, periodic) - start;
-        if (slot < 0) slot += cells;                         // the block reaches over the end of a periodic box
-        weight[slot] += Kokkos::max(Real(0), above - below); // rounding may make it -1e-17
-        below = above;
-    }
-}
-
-/// The same for a grain a lane, all of whose cells lie in the box.
-KOKKOS_FORCEINLINE_FUNCTION void write_inner_weights(GrainWeights const& weights, int axis, Lanes const& scaled,
-                                                     Lanes const& first, int const (&entry)[lane_count])
-{
-    DepositStencil const& stencil = weights.stencil;
-    Lanes const cells_per_radius = stencil.grid.spacing[axis] / stencil.support_radius;
-    int const touched = stencil.touched[axis];
-    Lanes below = 0;
-    auto const next = [&](int slot) {
-        if (slot >= touched) return Lanes(0);
-        Lanes const above =
-            slot + 1 < touched ? kernel_integral((first + Real(slot + 1) - scaled) * cells_per_radius) : Lanes(1);
-        Lanes const weight = larger(above - below, Lanes(0));
-        below = above;
-        return weight;
-    };
-    AxisColumns const columns = axis_columns(stencil, axis);
+    AxisColumns const columns = axis_columns(weights.stencil, axis);
     if constexpr (lane_count == 1)
         for (int slot = 0; slot < columns.count; ++slot)
-            weights.weight(entry[0], columns.first + slot) = lane(next(slot), 0);
+            weights.weight(entry[0], columns.first + slot) = lane(weight_of(slot), 0);
     else
         for (int slot = 0; slot < columns.count; slot += 4) {
-            Lanes const w[4] = {next(slot), next(slot + 1), next(slot + 2), next(slot + 3)};
+            Lanes const w[4] = {weight_of(slot), weight_of(slot + 1), weight_of(slot + 2), weight_of(slot + 3)};
             store_records_at({{w[0], w[1], w[2]}, w[3]},
                              [&](int n) { return &weights.weight(entry[n], columns.first + slot); });
         }
@@ -119,23 +80,48 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes write_axis_weights(GrainWeights const& weights
     DepositStencil const& stencil = weights.stencil;
     Lanes const scaled = cell_coordinate(stencil.grid, axis, coordinate);
     Lanes const first = rounded_down(scaled - stencil.support_radius / stencil.grid.spacing[axis]);
-    int const touched = stencil.touched[axis];
-    LaneMask const inside = LaneMask(stencil.slots[axis] == touched) && first >= Lanes(0) &&
-                            first + Real(touched) <= Lanes(stencil.grid.cells[axis]);
-    if (any(inside)) write_inner_weights(weights, axis, scaled, first, entry);
-    if (all(inside)) return first;
-    AxisColumns const columns = axis_columns(stencil, axis);
-    Lanes const is_inside = select(inside, Lanes(1), Lanes(0));
-    for (int n = 0; n < lane_count; ++n)
-        if (lane(is_inside, n) == 0)
-            write_folded_weights(stencil, axis, lane(scaled, n), &weights.weight(entry[n], columns.first), columns.count);
-    return select(inside, first, make_lanes([&](int n) { return Real(start_cell(stencil, axis, lane(scaled, n))); }));
+    Lanes const cells_per_radius = stencil.grid.spacing[axis] / stencil.support_radius;
+    int const touched = stencil.touched[axis], cells = stencil.grid.cells[axis];
+    if (stencil.slots[axis] == touched && all(first >= Lanes(0) && first + Real(touched) <= Lanes(cells))) { // in the box
+        Lanes below = 0;
+        write_slots(weights, axis, entry, [&](int slot) {
+            if (slot >= touched) return Lanes(0);
+            Lanes const above =
+                slot + 1 < touched ? kernel_integral((first + Real(slot + 1) - scaled) * cells_per_radius) : Lanes(1);
+            Lanes const weight = larger(above - below, Lanes(0)); // rounding may make it -1e-17
+            below = above;
+            return weight;
+        });
+        return first;
+    }
+    // What lies outside the box belongs to the periodic image there, or to the mirror image in the wall: `box` of a row of
+    // images, of which the grain's own is number 0.
+    bool const periodic = stencil.grid.periodic[axis];
+    int const boxes = touched / cells + 2;
+    Lanes const last = first + Real(touched - 1);
+    Lanes const start = make_lanes([&](int n) { return Real(start_cell(stencil, axis, lane(scaled, n))); });
+    write_slots(weights, axis, entry, [&](int slot) {
+        Lanes weight = 0;
+        if (slot >= stencil.slots[axis]) return weight;
+        Lanes const cell = start + Real(slot);
+        for (int box = -boxes; box <= boxes; ++box) {
+            Lanes const index = (periodic || box % 2 == 0 ? cell : Real(cells - 1) - cell) + Real(box * cells);
+            LaneMask const shares = index >= first && index <= last;
+            if (!any(shares)) continue;
+            Lanes const below = select(index > first, kernel_integral((index - scaled) * cells_per_radius), Lanes(0));
+            Lanes const above =
+                select(index < last, kernel_integral((index + Real(1) - scaled) * cells_per_radius), Lanes(1));
+            weight += select(shares, larger(above - below, Lanes(0)), Lanes(0));
+        }
+        return weight;
+    });
+    return start;
 }
 
 /// Number of the bin that holds a grain: its block, and in it bins_per_axis^3 bins by the place in a cell.
-View1<int> bin_numbers(DepositStencil const& stencil, RecordView const& position, int count, int bins_per_axis)
+void number_bins(DepositStencil const& stencil, RecordView const& position, int count, int bins_per_axis,
+                 View1<int> const& bin)
 {
-    View1<int> bin(uninitialized("bin_of_grain"), count);
     Kokkos::parallel_for(
         "bin_numbers", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
             int block = 0, inner = 0;
@@ -149,10 +135,9 @@ View1<int> bin_numbers(DepositStencil const& stencil, RecordView const& position
             }
             bin(row) = block * bins_per_axis * bins_per_axis * bins_per_axis + inner;
         });
-    return bin;
 }
 
-void write_weights(GrainWeights const& weights, RecordView const& position, View1<int> const& bin)
+void write_weights(GrainWeights const& weights, RecordView const& position)
 {
     int const blocks = (weights.entries + lane_count - 1) / lane_count;
     Kokkos::parallel_for(
@@ -176,7 +161,7 @@ void write_weights(GrainWeights const& weights, RecordView const& position, View
             Lanes const cell = select(whole, number, Lanes(-1));
             for (int n = 0; n < lane_count; ++n) {
                 auto const first = static_cast<int>(lane(cell, n));
-                weights.first_cell(entry[n]) = first >= 0 ? first : -1 - bin(row[n]) / weights.bins_per_block;
+                weights.first_cell(entry[n]) = first >= 0 ? first : -1 - weights.bin(row[n]) / weights.bins_per_block;
             }
         });
 }
@@ -276,24 +261,6 @@ void sum_parts(GrainWeights const& weights, TableView const& quantity, int first
         });
 }
 
-/// The same, a part a warp: for a device, on which a few thousand parts of hundreds of grains would leave most threads idle.
-template <int components>
-void sum_parts_by_warps(GrainWeights const& weights, TableView const& quantity, int first_plane, int planes, int parts)
-{
-    constexpr int warp = 32; // part of the result's definition
-    Kokkos::parallel_for(
-        "deposit_parts", TeamPolicy(parts, warp), KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
-            Part const part = part_of(weights.stencil, member.league_rank(), first_plane, planes);
-            if (part.plane < 0) return;
-            PartSum<components> sum;
-            sum.add_entries(weights, part, quantity, member.team_rank(), warp);
-            for (auto& row : sum.sum)
-                for (int n = 0; n < PartSum<components>::numbers; ++n)
-                    member.team_reduce(Kokkos::Sum<Real>(row[n / 4].number[n % 4]));
-            if (member.team_rank() == 0) sum.write(weights.stencil, part, weights.partial.data());
-        });
-}
-
 /// A cell's sum of its pieces, in the order of (c, b, slot of x).
 template <int components>
 KOKKOS_FUNCTION void add_pieces(DepositStencil const& stencil, View1<Real> const& partial, int first_plane, int row, int i,
@@ -340,8 +307,7 @@ void deposit_planes(GrainWeights const& weights, TableView const& quantity, Tabl
     View1<Real> const partial = weights.partial;
     int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
     int const parts = stencil.block_count() * stencil.groups * stencil.row_groups * stencil.slots[2];
-    if constexpr (on_host) sum_parts<components>(weights, quantity, first_plane, planes, parts);
-    else sum_parts_by_warps<components>(weights, quantity, first_plane, planes, parts);
+    sum_parts<components>(weights, quantity, first_plane, planes, parts);
     Kokkos::parallel_for(
         "add_deposit_pieces", RangePolicy(0, ny * planes * nx), KOKKOS_LAMBDA(int target) {
             Real total[components];
@@ -356,6 +322,16 @@ template <int components> void deposit_all(GrainWeights const& weights, TableVie
     int const planes = planes_at_once(weights.stencil, components), all = weights.stencil.grid.cells[2];
     for (int first = 0; first < all; first += planes)
         deposit_planes<components>(weights, quantity, cell, first, std::min(planes, all - first));
+}
+
+void reserve_partial(GrainWeights& weights)
+{
+    long long partial = 0;
+    for (int const components : {1, 4})
+        partial =
+            std::max(partial, planes_at_once(weights.stencil, components) * partial_of_plane(weights.stencil, components));
+    if (static_cast<long long>(weights.partial.extent(0)) < partial)
+        weights.partial = View1<Real>(uninitialized("deposit_partial"), partial);
 }
 
 } // namespace
@@ -384,34 +360,30 @@ DepositStencil make_deposit_stencil(Grid const& grid, Real support_radius)
 GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const& position, View1<GrainId> const& id,
                                 int count, GrainWeights const& spare)
 {
-    GrainWeights weights;
+    GrainWeights weights = spare;
     weights.stencil = stencil;
-    weights.first_cell = spare.first_cell;
-    weights.weight = spare.weight;
     double const bins_per_block = static_cast<double>(count) / grains_per_bin / stencil.block_count();
     int const bins_per_axis = std::max(1, static_cast<int>(std::cbrt(bins_per_block)));
     weights.bins_per_block = bins_per_axis * bins_per_axis * bins_per_axis;
-    View1<int> const bin = bin_numbers(stencil, position, count, bins_per_axis);
-    weights.bins = make_cell_list(bin, id, count, stencil.block_count() * weights.bins_per_block);
+    if (weights.bin.extent_int(0) < count) weights.bin = View1<int>(uninitialized("bin_of_grain"), count);
+    number_bins(stencil, position, count, bins_per_axis, weights.bin);
+    weights.bins = make_cell_list(weights.bin, id, count, stencil.block_count() * weights.bins_per_block, spare.bins);
     weights.entries = weights.bins.entries;
     auto const rows = static_cast<std::size_t>(weights.entries), columns = static_cast<std::size_t>(stencil.columns());
     if (weights.first_cell.extent(0) < rows) weights.first_cell = View1<int>(uninitialized("first_cell_of_entry"), rows);
     if (weights.weight.extent(0) < rows || weights.weight.extent(1) != columns)
-        weights.weight = TableView(uninitialized("grain_weights"), rows, columns);
-    long long partial = 0;
-    for (int const components : {1, 4})
-        partial = std::max(partial, planes_at_once(stencil, components) * partial_of_plane(stencil, components));
-    weights.partial = spare.partial;
-    if (static_cast<long long>(weights.partial.extent(0)) < partial)
-        weights.partial = View1<Real>(uninitialized("deposit_partial"), partial);
-    write_weights(weights, position, bin);
+        weights.weight = WeightView(uninitialized("grain_weights"), rows, columns);
+    if constexpr (on_host) reserve_partial(weights);
+    else weights.chunks = make_deposit_chunks(weights, spare.chunks);
+    write_weights(weights, position);
     return weights;
 }
 
 void deposit(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int components)
 {
     ARENITE_REQUIRE(components == 1 || components == 4, "deposit is built for 1 and 4 components");
-    if (components == 1) deposit_all<1>(weights, quantity, cell);
+    if constexpr (!on_host) deposit_by_teams(weights, quantity, cell, components);
+    else if (components == 1) deposit_all<1>(weights, quantity, cell);
     else deposit_all<4>(weights, quantity, cell);
 }
 

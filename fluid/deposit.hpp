@@ -16,11 +16,16 @@
 #include "core/particles.hpp"
 
 #include <string>
+#include <type_traits>
 
 namespace arenite {
 
 /// [item][component], component count chosen at run time.
 using TableView = Kokkos::View<Real**, Kokkos::LayoutRight, MemorySpace>;
+
+/// The same of weights. On a device, where neighbouring threads have neighbouring entries, a column's numbers follow each
+/// other; on a host a row's.
+using WeightView = Kokkos::View<Real**, std::conditional_t<on_host, Kokkos::LayoutRight, Kokkos::LayoutLeft>, MemorySpace>;
 
 /// Extent of the weights: a grain touches `slots` cells along each axis, from its start cell on. Grains with
 /// the same start cell share a block of cells. Near a wall, and in a box of fewer cells than slots, the
@@ -60,6 +65,14 @@ struct DepositStencil {
 /// support_radius in m; 0 stands for 1.5 times the largest cell edge.
 DepositStencil make_deposit_stencil(Grid const& grid, Real support_radius);
 
+/// How the entries are cut for a device's deposit (deposit_by_teams.hpp).
+struct DepositChunks {
+    View1<int> begin;    // [block + 1] first chunk of a block
+    View1<int> block;    // [chunk]
+    View1<Real> partial; // work space: sums of chunks
+    int count = 0;
+};
+
 /// The grains in the fluid's box, sorted by (block, bin in the block, id), and their weights. An entry is a
 /// grain in that order. Bins keep the sort cheap when a block holds thousands of grains.
 struct GrainWeights {
@@ -68,10 +81,18 @@ struct GrainWeights {
     int bins_per_block = 1;
     CellList bins;         // bins.item: [entry] row of the grain
     View1<int> first_cell; // [entry] number of the block's first cell; -1 - block where that reaches over a periodic end
-    TableView weight;      // [entry][slots of x, of y, of z, each padded with 0]
-    View1<Real> partial;   // work space of deposits
+    WeightView weight;     // [entry][slots of x, of y, of z, each padded with 0]
+    View1<int> bin;        // work space: [row] number of the grain's bin
+    View1<Real> partial;   // work space of a host's deposit
+    DepositChunks chunks;  // a device's
 
     KOKKOS_FUNCTION int begin(int of_block) const { return bins.begin(of_block * bins_per_block); }
+    /// In `weight`, between neighbouring entries and between columns.
+    KOKKOS_FUNCTION std::ptrdiff_t entry_step() const { return on_host ? static_cast<std::ptrdiff_t>(weight.stride(0)) : 1; }
+    KOKKOS_FUNCTION std::ptrdiff_t column_step() const
+    {
+        return on_host ? 1 : static_cast<std::ptrdiff_t>(weight.stride(1));
+    }
     /// Row of a grain some entries on: grains of neighbouring entries lie apart in memory and are asked for early.
     KOKKOS_FUNCTION int later_row(int entry) const { return bins.item(Kokkos::min(entry + 16, entries - 1)); }
 };
@@ -94,10 +115,11 @@ inline TableView make_interpolated(std::string const& label, Grid const& grid, i
 
 namespace deposit_detail {
 
-/// Sums over a block of cells that lies whole in the box, `groups` groups of them in a row.
+/// Sums over a block of cells that lies whole in the box, `groups` groups of them in a row. weight: the entry's, `step` from
+/// column to column.
 template <int groups, int quads>
-KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real const* weight, int first_cell,
-                                           TableView const& cell, Quad (&sum)[quads])
+KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real const* weight, std::ptrdiff_t step,
+                                           int first_cell, TableView const& cell, Quad (&sum)[quads])
 {
     constexpr int count = groups * DepositStencil::group;
     Grid const& grid = stencil.grid;
@@ -105,15 +127,15 @@ KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real c
                          plane = row * grid.cells[1];
     Real const* const first = cell.data() + stride * first_cell;
     Real wx[count];
-    for (int a = 0; a < count; ++a) wx[a] = weight[a];
-    Real const *const wy = weight + stencil.y_slot(), *const wz = weight + stencil.z_slot();
+    for (int a = 0; a < count; ++a) wx[a] = weight[a * step];
+    Real const *const wy = weight + stencil.y_slot() * step, *const wz = weight + stencil.z_slot() * step;
     for (int c = 0; c < stencil.slots[2]; ++c) {
         Real const* values = first + c * plane;
         for (int b = 0; b < stencil.slots[1]; ++b, values += row) {
             Quad along_x[quads] = {};
             for (int a = 0; a < count; ++a)
-                for (int q = 0; q < quads; ++q) along_x[q] += wx[a] * load_quad(values + a * stride + 4 * q);
-            Real const wyz = wy[b] * wz[c];
+                for (int q = 0; q < quads; ++q) along_x[q] += wx[a] * load_record(values + a * stride + 4 * q);
+            Real const wyz = wy[b * step] * wz[c * step];
             for (int q = 0; q < quads; ++q) sum[q] += wyz * along_x[q];
         }
     }
@@ -121,16 +143,16 @@ KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real c
 
 /// The same for any block, cell by cell: it may go on at a periodic box's other end.
 template <int quads>
-KOKKOS_FUNCTION void sum_any_block(DepositStencil const& stencil, Real const* weight, int const (&start)[3],
-                                   TableView const& cell, Quad (&sum)[quads])
+KOKKOS_FUNCTION void sum_any_block(DepositStencil const& stencil, Real const* weight, std::ptrdiff_t step,
+                                   int const (&start)[3], TableView const& cell, Quad (&sum)[quads])
 {
     for (int c = 0; c < stencil.slots[2]; ++c)
         for (int b = 0; b < stencil.slots[1]; ++b) {
             int const row = stencil.cell(1, start[1], b) + stencil.grid.cells[1] * stencil.cell(2, start[2], c);
-            Real const wyz = weight[stencil.y_slot() + b] * weight[stencil.z_slot() + c];
+            Real const wyz = weight[(stencil.y_slot() + b) * step] * weight[(stencil.z_slot() + c) * step];
             for (int a = 0; a < stencil.slots[0]; ++a) {
                 Real const* const values = &cell(stencil.grid.cells[0] * row + stencil.cell(0, start[0], a), 0);
-                for (int q = 0; q < quads; ++q) sum[q] += (wyz * weight[a]) * load_quad(values + 4 * q);
+                for (int q = 0; q < quads; ++q) sum[q] += (wyz * weight[a * step]) * load_record(values + 4 * q);
             }
         }
 }
@@ -146,14 +168,15 @@ KOKKOS_FORCEINLINE_FUNCTION void interpolate_at(GrainWeights const& weights, int
     DepositStencil const& stencil = weights.stencil;
     int const first = weights.first_cell(entry);
     Real const* const weight = &weights.weight(entry, 0);
+    std::ptrdiff_t const step = weights.column_step();
     Quad sum[(components + 3) / 4] = {};
-    if (first >= 0 && stencil.groups == 1) deposit_detail::sum_block<1>(stencil, weight, first, cell, sum);
-    else if (first >= 0 && stencil.groups == 2) deposit_detail::sum_block<2>(stencil, weight, first, cell, sum);
+    if (first >= 0 && stencil.groups == 1) deposit_detail::sum_block<1>(stencil, weight, step, first, cell, sum);
+    else if (first >= 0 && stencil.groups == 2) deposit_detail::sum_block<2>(stencil, weight, step, first, cell, sum);
     else {
         int const code = first >= 0 ? first : -1 - first;
         int const nx = first >= 0 ? stencil.grid.cells[0] : stencil.starts[0],
                   ny = first >= 0 ? stencil.grid.cells[1] : stencil.starts[1];
-        deposit_detail::sum_any_block(stencil, weight, {code % nx, code / nx % ny, code / (nx * ny)}, cell, sum);
+        deposit_detail::sum_any_block(stencil, weight, step, {code % nx, code / nx % ny, code / (nx * ny)}, cell, sum);
     }
     for (int q = 0; q < components; ++q) value[q] = sum[q / 4][q % 4];
 }

@@ -112,16 +112,16 @@ template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange
             if (has_history) prefetch(&coasting(later, 0));
             Real fluid[4];
             interpolate_at(weights, entry, value, fluid);
-            Vec3 const v = vector_of(velocity, row);
+            Quad const own = load_record(&velocity(row, 0));
+            Vec3 const v{own[0], own[1], own[2]};
             Real const slip_speed = norm(Vec3{fluid[0], fluid[1], fluid[2]} - v);
             Real beta = grain_drag_coefficient(law, {2 * at(entry, 3), fluid[3], slip_speed}, factor);
             Vec3 predicted = v;
             if (motion(row) == Motion::free) {
-                beta /= 1 + beta * dt / velocity(row, 3);
+                beta /= 1 + beta * dt / own[3];
                 if (has_history && coasting(row, 3) > 0) predicted = 2 * v - vector_of(coasting, row);
             }
-            for (int axis = 0; axis < 3; ++axis) drag(entry, axis) = beta * predicted[axis];
-            drag(entry, 3) = beta;
+            store_record(Quad{beta * predicted.x, beta * predicted.y, beta * predicted.z, beta}, &drag(entry, 0));
         });
 }
 
@@ -169,16 +169,14 @@ void write_fluid_force(Exchange const& exchange, Particles const& particles)
             prefetch(&coasting(later, 0));
             Real fluid[6];
             interpolate_at(weights, entry, value, fluid);
-            Real const beta = drag(entry, 3);
-            for (int axis = 0; axis < 3; ++axis) {
-                Real const force = beta * fluid[axis] - drag(entry, axis);
-                fluid_force(row, axis) = force + volume(entry, 0) * fluid[3 + axis];
-                coasting(row, axis) = velocity(row, axis) + dt / velocity(row, 3) * force;
-            }
-            fluid_force(row, 3) = beta;
-            coasting(row, 3) = 1;
-            if (!apart) return;
-            for (int axis = 0; axis < 3; ++axis) pressure_force(row, axis) = volume(entry, 0) * fluid[3 + axis];
+            Quad const held = load_record(&drag(entry, 0)), own = load_record(&velocity(row, 0));
+            Real const beta = held[3], per_mass = dt / own[3];
+            Vec3 const force{beta * fluid[0] - held[0], beta * fluid[1] - held[1], beta * fluid[2] - held[2]};
+            Vec3 const pressure = volume(entry, 0) * Vec3{fluid[3], fluid[4], fluid[5]};
+            store_record(Quad{force.x + pressure.x, force.y + pressure.y, force.z + pressure.z, beta}, &fluid_force(row, 0));
+            store_record(Quad{own[0] + per_mass * force.x, own[1] + per_mass * force.y, own[2] + per_mass * force.z, 1},
+                         &coasting(row, 0));
+            if (apart) store_record(Quad{pressure.x, pressure.y, pressure.z, 0}, &pressure_force(row, 0));
         });
 }
 
