@@ -15,8 +15,9 @@ constexpr int rows_of_team = 16, lanes_of_team = 8,
 constexpr int lanes_of_cell = 16;                  // threads a component, while a cell's sum is added up
 constexpr long long partial_limit = 16'000'000;    // reals (128 MB) of sums of chunks held at once
 
-/// A team of a device; on a host, where tests come here, one thread does what a team would.
-constexpr int threads_of(int count) { return on_host ? 1 : count; }
+// Threads of a team. On a host, where only tests come, one does what a team would.
+constexpr int sum_threads = on_host ? 1 : team;
+template <int components> constexpr int cell_threads = on_host ? 1 : lanes_of_cell * components;
 
 using Scratch = Kokkos::View<Real*, ExecutionSpace::scratch_memory_space, Kokkos::MemoryUnmanaged>;
 
@@ -74,7 +75,7 @@ void sum_chunks(GrainWeights const& weights, TableView const& quantity, int firs
     BlockRows const rows{weights.stencil};
     View1<Real> const partial = table.partial;
     int const batches = (rows.count() + rows_of_team - 1) / rows_of_team; // of rows, a team each
-    TeamPolicy policy(chunks * batches, threads_of(team));
+    TeamPolicy policy(chunks * batches, sum_threads);
     policy.set_scratch_size(0, Kokkos::PerTeam(Scratch::shmem_size(Sum::numbers * pitch)));
     Kokkos::parallel_for(
         "sum_chunks", policy, KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
@@ -84,7 +85,7 @@ void sum_chunks(GrainWeights const& weights, TableView const& quantity, int firs
             int const block = table.block(chunk);
             int const first = weights.begin(block) + chunk_entries * (chunk - table.begin(block));
             int const last = Kokkos::min(first + chunk_entries, weights.begin(block + 1));
-            for (int thread = member.team_rank(); thread < team; thread += threads_of(team)) {
+            for (int thread = member.team_rank(); thread < team; thread += sum_threads) {
                 Sum sum;
                 int const row = first_row + thread % rows_of_team;
                 if (row < rows.count())
@@ -92,10 +93,11 @@ void sum_chunks(GrainWeights const& weights, TableView const& quantity, int firs
                 for (int n = 0; n < Sum::numbers; ++n) scratch(n * pitch + thread) = sum.sum[n / 4][n % 4];
             }
             member.team_barrier();
-            int const wanted = Sum::numbers * Kokkos::min(rows_of_team, rows.count() - first_row);
+            int const rows_left = rows.count() - first_row;
+            int const wanted = Sum::numbers * (rows_left < rows_of_team ? rows_left : rows_of_team);
             Real* const to = &partial(static_cast<std::size_t>(Sum::numbers) *
                                       (static_cast<std::size_t>(chunk - first_chunk) * rows.count() + first_row));
-            for (int which = member.team_rank(); which < wanted; which += threads_of(team)) {
+            for (int which = member.team_rank(); which < wanted; which += sum_threads) {
                 Real const* const from = &scratch(which % Sum::numbers * pitch + which / Sum::numbers);
                 Real total = 0;
                 for (int lane = 0; lane < lanes_of_team; ++lane) total += from[lane * rows_of_team];
@@ -112,7 +114,7 @@ template <int components> void add_chunks(GrainWeights const& weights, TableView
     DepositChunks const table = weights.chunks;
     BlockRows const rows{stencil};
     View1<Real> const partial = table.partial;
-    TeamPolicy policy(stencil.grid.cell_count(), threads_of(threads));
+    TeamPolicy policy(stencil.grid.cell_count(), cell_threads<components>);
     policy.set_scratch_size(0, Kokkos::PerTeam(Scratch::shmem_size(threads)));
     Kokkos::parallel_for(
         "add_chunks", policy, KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
@@ -120,7 +122,7 @@ template <int components> void add_chunks(GrainWeights const& weights, TableView
             Grid const& grid = stencil.grid;
             int const number = member.league_rank(), i = number % grid.cells[0], j = number / grid.cells[0] % grid.cells[1],
                       k = number / (grid.cells[0] * grid.cells[1]);
-            for (int thread = member.team_rank(); thread < threads; thread += threads_of(threads)) {
+            for (int thread = member.team_rank(); thread < threads; thread += cell_threads<components>) {
                 int const q = thread % components;
                 Real total = 0;
                 for (int yz = thread / components; yz < stencil.slots[1] * stencil.slots[2]; yz += lanes_of_cell) {
@@ -143,7 +145,7 @@ template <int components> void add_chunks(GrainWeights const& weights, TableView
                 scratch(thread) = total;
             }
             member.team_barrier();
-            for (int q = member.team_rank(); q < components; q += threads_of(threads)) {
+            for (int q = member.team_rank(); q < components; q += cell_threads<components>) {
                 Real total = first_chunk == 0 ? 0 : cell(number, q);
                 for (int lane = 0; lane < lanes_of_cell; ++lane) total += scratch(lane * components + q);
                 cell(number, q) = total;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The deposit of a device. On a host a work item adds up all grains of a block for some rows of its cells (deposit.cpp); a
-// device wants ten thousand threads at once, and in a closed box the blocks at walls and corners hold several times the
-// grains of others. So the entries are cut into chunks, each from one block. A team sums a chunk for all cells of the block,
-// and another team adds up, for a cell, what the chunks have for it. Both orders are fixed.
+// The deposit of a device. On a host a work item adds up all grains of a block for some rows of its cells
+// (deposit_by_blocks.hpp); a device wants ten thousand threads at once, and in a closed box the blocks at walls and corners
+// hold several times the grains of others. So the entries are cut into chunks, each from one block. A team sums a chunk for
+// all cells of the block, and another team adds up, for a cell, what the chunks have for it. Both orders are fixed.
 #pragma once
 
 #include "fluid/deposit.hpp"

@@ -170,13 +170,15 @@ void write_fluid_force(Exchange const& exchange, Particles const& particles)
             Real fluid[6];
             interpolate_at(weights, entry, value, fluid);
             Quad const held = load_record(&drag(entry, 0)), own = load_record(&velocity(row, 0));
-            Real const beta = held[3], per_mass = dt / own[3];
-            Vec3 const force{beta * fluid[0] - held[0], beta * fluid[1] - held[1], beta * fluid[2] - held[2]};
-            Vec3 const pressure = volume(entry, 0) * Vec3{fluid[3], fluid[4], fluid[5]};
-            store_record(Quad{force.x + pressure.x, force.y + pressure.y, force.z + pressure.z, beta}, &fluid_force(row, 0));
+            Real const beta = held[3], v = volume(entry, 0);
+            Vec3 force;
+            for (int axis = 0; axis < 3; ++axis) force[axis] = beta * fluid[axis] - held[axis];
+            store_record(Quad{force.x + v * fluid[3], force.y + v * fluid[4], force.z + v * fluid[5], beta},
+                         &fluid_force(row, 0));
+            Real const per_mass = dt / own[3];
             store_record(Quad{own[0] + per_mass * force.x, own[1] + per_mass * force.y, own[2] + per_mass * force.z, 1},
                          &coasting(row, 0));
-            if (apart) store_record(Quad{pressure.x, pressure.y, pressure.z, 0}, &pressure_force(row, 0));
+            if (apart) store_record(Quad{v * fluid[3], v * fluid[4], v * fluid[5], 0}, &pressure_force(row, 0));
         });
 }
 

@@ -2,6 +2,7 @@
 // The deposit's weights: they sum to one wherever a grain is, interpolation is the adjoint of the deposit,
 // a uniform pack is uniform up to the walls, and the bits do not depend on the order of the rows.
 #include "fluid/deposit.hpp"
+#include "fluid/deposit_by_blocks.hpp"
 #include "fluid/deposit_by_teams.hpp"
 
 #include <gtest/gtest.h>
@@ -233,7 +234,7 @@ TEST(Deposit, BitsDoNotDependOnTheOrderOfRows)
 }
 
 /// Also where a block's grains fill several chunks (one cell holds 1500 of 3000), and where blocks are empty.
-TEST(Deposit, ByTeamsAddsUpTheSame)
+TEST(Deposit, ByBlocksAndByTeamsAddUpTheSame)
 {
     for (Grid const& grid : grids())
         for (Real const radius : radii)
@@ -245,13 +246,14 @@ TEST(Deposit, ByTeamsAddsUpTheSame)
                 Particles const particles = grains_at(points);
                 GrainWeights weights = weights_of(grid, radius, particles);
                 weights.chunks = make_deposit_chunks(weights, weights.chunks);
+                reserve_block_sums(weights);
                 EXPECT_GE(weights.chunks.count, 3000 / 256);
                 TableView const amount = table_by_id(weights, particles.id, columns);
                 TableView const field = make_interpolated("field", grid, 4),
                                 by_teams("by_teams", grid.cell_count(), columns);
                 deposit_by_teams(weights, amount, by_teams, columns);
                 TableView const cell("cell", grid.cell_count(), columns);
-                deposit(weights, amount, cell, columns);
+                deposit_by_blocks(weights, amount, cell, columns);
                 for (int q = 0; q < columns; ++q) {
                     auto const one = host_column(cell, q), other = host_column(by_teams, q);
                     for (std::size_t c = 0; c < one.size(); ++c) EXPECT_NEAR(one[c], other[c], 3000 * rounding / 10);
