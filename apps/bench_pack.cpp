@@ -166,15 +166,17 @@ BenchPack read_pack(std::string const& path)
     return pack;
 }
 
-BenchPack lattice_pack(int grains)
+BenchPack lattice_pack(int grains, std::array<int, 3> const& proportions)
 {
     constexpr Real diameter = 0.46e-3, spacing = diameter - 4e-7;
-    int const along = std::max(2, static_cast<int>(std::lround(std::cbrt(static_cast<double>(grains)))));
+    double const unit = std::cbrt(static_cast<double>(grains) / (1.0 * proportions[0] * proportions[1] * proportions[2]));
+    int along[3];
+    for (int axis = 0; axis < 3; ++axis) along[axis] = std::max(2, static_cast<int>(std::lround(unit * proportions[axis])));
     BenchPack pack;
-    pack.name = fmt::format("lattice{}", along * along * along);
-    for (int k = 0; k < along; ++k)
-        for (int j = 0; j < along; ++j)
-            for (int i = 0; i < along; ++i) {
+    pack.name = fmt::format("lattice{}", along[0] * along[1] * along[2]);
+    for (int k = 0; k < along[2]; ++k)
+        for (int j = 0; j < along[1]; ++j)
+            for (int i = 0; i < along[0]; ++i) {
                 Grain grain;
                 grain.diameter = diameter;
                 std::uint64_t const n = pack.grains.size();
@@ -182,7 +184,7 @@ BenchPack lattice_pack(int grains)
                 grain.position = Vec3{i + Real(0.5), j + Real(0.5), k + Real(0.5)} * spacing + 1e-8 * jitter;
                 pack.grains.push_back(grain);
             }
-    pack.upper = Vec3{1, 1, 1} * (along * spacing);
+    pack.upper = spacing * Vec3{Real(along[0]), Real(along[1]), Real(along[2])};
     return pack;
 }
 

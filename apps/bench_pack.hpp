@@ -4,6 +4,7 @@
 
 #include "apps/stage_forces.hpp"
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,8 +24,8 @@ MaterialSettings bench_sand(double surface_energy);
 BenchPack read_pack(std::string const& path);
 
 /// A simple cubic lattice of about `grains` grains of 0.46 mm, overlapping by 4e-7 m, jittered by 1e-8 m: three contacts a
-/// grain, as many as a dense random pack has candidates.
-BenchPack lattice_pack(int grains);
+/// grain, as many as a dense random pack has candidates. proportions: of the box's edges.
+BenchPack lattice_pack(int grains, std::array<int, 3> const& proportions = {1, 1, 1});
 
 /// Copies of the pack side by side, every other one mirrored, so that grains at the walls between them meet their images.
 BenchPack tiled_pack(BenchPack const& pack, int along_x, int along_y);

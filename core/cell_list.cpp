@@ -27,16 +27,21 @@ int scan_counts(View1<int> const& begin, int cells)
     return total;
 }
 
-void fill_cells(View1<int> const& cell_of_item, int items, CellList const& list)
+void fill_cells(View1<int> const& cell_of_item, int items, CellList const& list, View1<int> const& filled)
 {
     Kokkos::parallel_for(
         "fill_cells", RangePolicy(0, items), KOKKOS_LAMBDA(int item) {
             int const cell = cell_of_item(item);
-            if (cell >= 0) list.item(list.begin(cell) + Kokkos::atomic_fetch_add(&list.cursor(cell), 1)) = item;
+            if (cell >= 0) filled(list.begin(cell) + Kokkos::atomic_fetch_add(&list.cursor(cell), 1)) = item;
         });
 }
 
-/// The fill's order inside a cell is the scheduler's; insertion sort by (id, item) makes it ours.
+KOKKOS_INLINE_FUNCTION bool before(View1<GrainId> const& id, int a, int b)
+{
+    return id(a) < id(b) || (id(a) == id(b) && a < b);
+}
+
+/// The fill's order inside a cell is the scheduler's; an insertion sort makes it ours.
 void sort_cells(View1<GrainId> const& id, CellList const& list, int cells)
 {
     Kokkos::parallel_for(
@@ -44,17 +49,28 @@ void sort_cells(View1<GrainId> const& id, CellList const& list, int cells)
             int const first = list.begin(cell), last = list.begin(cell + 1);
             for (int k = first + 1; k < last; ++k) {
                 int const item = list.item(k);
-                GrainId const key = id(item);
                 int slot = k;
-                while (slot > first) {
-                    int const other = list.item(slot - 1);
-                    if (id(other) < key || (id(other) == key && other < item)) break;
-                    list.item(slot) = other;
-                    --slot;
-                }
+                for (; slot > first && before(id, item, list.item(slot - 1)); --slot) list.item(slot) = list.item(slot - 1);
                 list.item(slot) = item;
             }
         });
+}
+
+/// The same by counting who comes first, an entry a thread: on a device the cell with most items keeps nobody waiting.
+void rank_entries(View1<int> const& cell_of_item, View1<GrainId> const& id, CellList const& list)
+{
+    Kokkos::parallel_for(
+        "rank_entries", RangePolicy(0, list.entries), KOKKOS_LAMBDA(int entry) {
+            int const item = list.filled(entry), cell = cell_of_item(item), first = list.begin(cell);
+            int rank = 0;
+            for (int k = first; k < list.begin(cell + 1); ++k) rank += before(id, list.filled(k), item) ? 1 : 0;
+            list.item(first + rank) = item;
+        });
+}
+
+void fit(View1<int>& array, std::string const& label, int length)
+{
+    if (array.extent_int(0) < length) array = View1<int>(uninitialized(label), length);
 }
 
 /// At least `length` entries, that many of them zero.
@@ -74,9 +90,15 @@ CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id
     fill_zero(list.cursor, "cell_cursor", cells);
     count_items(cell_of_item, items, list.begin);
     list.entries = scan_counts(list.begin, cells);
-    if (list.item.extent_int(0) < list.entries) list.item = View1<int>(uninitialized("cell_item"), list.entries);
-    fill_cells(cell_of_item, items, list);
-    sort_cells(id, list, cells);
+    fit(list.item, "cell_item", list.entries);
+    if (on_host) {
+        fill_cells(cell_of_item, items, list, list.item);
+        sort_cells(id, list, cells);
+    } else {
+        fit(list.filled, "cell_filled", list.entries);
+        fill_cells(cell_of_item, items, list, list.filled);
+        rank_entries(cell_of_item, id, list);
+    }
     return list;
 }
 

@@ -24,6 +24,11 @@ using RangePolicy =
     Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>, Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
 using TeamPolicy =
     Kokkos::TeamPolicy<ExecutionSpace, Kokkos::IndexType<int>, Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
+/// The same with at most `threads` threads a block of a GPU, of which `blocks` fit on a multiprocessor: the compiler keeps
+/// to the registers that leaves.
+template <int threads, int blocks>
+using BoundedRangePolicy = Kokkos::RangePolicy<ExecutionSpace, Kokkos::IndexType<int>, Kokkos::LaunchBounds<threads, blocks>,
+                                               Kokkos::Experimental::WorkItemProperty::HintLightWeight_t>;
 inline constexpr bool on_host = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemorySpace>::accessible;
 
 template <class T> using View1 = Kokkos::View<T*, MemorySpace>;

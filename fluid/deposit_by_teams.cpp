@@ -113,6 +113,7 @@ template <int components> void add_chunks(GrainWeights const& weights, TableView
     DepositStencil const stencil = weights.stencil;
     DepositChunks const table = weights.chunks;
     BlockRows const rows{stencil};
+    int const touching = stencil.slots[0] * stencil.slots[1] * stencil.slots[2];
     View1<Real> const partial = table.partial;
     TeamPolicy policy(stencil.grid.cell_count(), cell_threads<components>);
     policy.set_scratch_size(0, Kokkos::PerTeam(Scratch::shmem_size(threads)));
@@ -125,22 +126,20 @@ template <int components> void add_chunks(GrainWeights const& weights, TableView
             for (int thread = member.team_rank(); thread < threads; thread += cell_threads<components>) {
                 int const q = thread % components;
                 Real total = 0;
-                for (int yz = thread / components; yz < stencil.slots[1] * stencil.slots[2]; yz += lanes_of_cell) {
-                    int const b = yz % stencil.slots[1], c = yz / stencil.slots[1];
-                    int const sy = stencil.start(1, j, b), sz = stencil.start(2, k, c);
-                    if (sy < 0 || sz < 0) continue;
-                    for (int slot = 0; slot < stencil.slots[0]; ++slot) {
-                        int const sx = stencil.start(0, i, slot);
-                        if (sx < 0) continue;
-                        int const block = sx + stencil.starts[0] * (sy + stencil.starts[1] * sz);
-                        int const begin = Kokkos::max(table.begin(block) - first_chunk, 0),
-                                  end = Kokkos::min(table.begin(block + 1) - first_chunk, chunks);
-                        std::size_t const step = static_cast<std::size_t>(numbers) * rows.count();
-                        Real const* from = partial.data() + step * begin +
-                                           numbers * rows.number(slot / DepositStencil::group, b, c) +
-                                           slot % DepositStencil::group * components + q;
-                        for (int chunk = begin; chunk < end; ++chunk, from += step) total += *from;
-                    }
+                for (int n = thread / components; n < touching;
+                     n += lanes_of_cell) { // blocks that have the cell, by its place
+                    int const slot = n % stencil.slots[0], b = n / stencil.slots[0] % stencil.slots[1],
+                              c = n / (stencil.slots[0] * stencil.slots[1]);
+                    int const sx = stencil.start(0, i, slot), sy = stencil.start(1, j, b), sz = stencil.start(2, k, c);
+                    if (sx < 0 || sy < 0 || sz < 0) continue;
+                    int const block = sx + stencil.starts[0] * (sy + stencil.starts[1] * sz);
+                    int const begin = Kokkos::max(table.begin(block) - first_chunk, 0),
+                              end = Kokkos::min(table.begin(block + 1) - first_chunk, chunks);
+                    std::size_t const step = static_cast<std::size_t>(numbers) * rows.count();
+                    Real const* from = partial.data() + step * begin +
+                                       numbers * rows.number(slot / DepositStencil::group, b, c) +
+                                       slot % DepositStencil::group * components + q;
+                    for (int chunk = begin; chunk < end; ++chunk, from += step) total += *from;
                 }
                 scratch(thread) = total;
             }

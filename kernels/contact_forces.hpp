@@ -143,7 +143,8 @@ void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox c
 {
     static_assert(contact_block % lane_count == 0);
     auto const launch = [&](auto const& evaluation) {
-        Kokkos::parallel_for("evaluate_contacts", RangePolicy(0, evaluation.turns.count), evaluation);
+        // 96 registers a thread; of its own the compiler takes 98, and a block fewer fits.
+        Kokkos::parallel_for("evaluate_contacts", BoundedRangePolicy<128, 5>(0, evaluation.turns.count), evaluation);
     };
     auto const launch_for = [&]<BoxKind kind, bool several>() {
         launch(ContactEvaluation<Law, kind, several>{law, contacts, particles.position, particles.velocity, particles.spin,

@@ -26,7 +26,7 @@ FluidSettings fluid_of(std::array<int, 3> const& cells)
 void make_coupled_pack(int grains, std::array<int, 3> const& cells, NormalLaw law, CoupledPack& pack)
 {
     RunState& state = pack.state;
-    BenchPack const lattice = lattice_pack(grains);
+    BenchPack const lattice = lattice_pack(grains, cells); // cells are cubes, or nearly
     MaterialSettings const sand = bench_sand(60);
     state.particles = make_particles(lattice.grains, {sand.density});
     state.box.lower = lattice.lower;

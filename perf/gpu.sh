@@ -19,11 +19,10 @@ limit=${ARENITE_SECONDS:-480}
 tests="test_contact_forces test_contact_search test_integrate test_wall_contacts test_deposit test_exchange test_flow_boundary
     launch_ahead count_launches hash_flow hash_coupling"
 
-# program NAME: built, if it is not given; prints its path.
+# program NAME: where it is.
 program() {
-    [ -z "${ARENITE_PROGRAMS:-}" ] || { echo "$ARENITE_PROGRAMS/$1"; return; }
-    run "building $1" cmake --build "$build" --target "$1" >"$build/$1.log" 2>&1 || { tail -n 20 "$build/$1.log" >&2; return 1; }
-    find "$build" -name "$1" -type f -perm -u+x -print -quit
+    if [ -n "${ARENITE_PROGRAMS:-}" ]; then echo "$ARENITE_PROGRAMS/$1"
+    else find "$build" -name "$1" -type f -perm -u+x -print -quit; fi
 }
 
 left() { echo $((limit - SECONDS)); }
@@ -48,7 +47,11 @@ field() { sed -nE "s/.*\"$1\": \"?([^\",}]*)\"?.*/\1/p"; }
 mkdir -p "$build"
 if [ -z "${ARENITE_PROGRAMS:-}" ]; then
     say "Building (preset $preset)"
-    cmake --preset "$preset" -DARENITE_ENABLE_PERF=ON
+    cmake --preset "$preset" -DARENITE_ENABLE_PERF=ON >"$build/configure.log" || { tail -n 20 "$build/configure.log" >&2; exit 1; }
+    # All at once: a program's own sources are few, and they compile beside each other.
+    run "building" cmake --build "$build" --target arenite bench_projection bench_coupling $tests >"$build/build.log" 2>&1 ||
+        { tail -n 20 "$build/build.log" >&2; exit 1; }
+    say "Built"
 fi
 arenite=$(program arenite)
 projection=$(program bench_projection)
@@ -89,10 +92,12 @@ done
 
 say "Coupling"
 head_of coupling.csv "grains,cells,backend,concurrency,grain_step_ms,deposit_ms,interpolate_ms,flow_ms,exchange_in_grain_steps,share_at_100_steps,share_at_50_steps"
-for grains in ${ARENITE_GRAINS:-34000 270000 1000000}; do
-    row=$(run "coupling of $grains" "$coupling" "$grains" 12 12 6 5) || continue
+while read -r grains cells; do # the paper's grid at k = 1 and k = 2, and a million grains on cells of the same size
+    row=$(run "coupling of $grains" "$coupling" "$grains" $cells 7) || continue
     echo "$row" | tee -a "$results/coupling.csv"
-done
+done <<<"34000 12 12 6
+270000 12 12 6
+1000000 28 28 28"
 
 say "Physics"
 failed=

@@ -2,7 +2,6 @@
 #include "apps/verify/grain_system.hpp"
 
 #include "core/error.hpp"
-#include "kernels/contact/contact_laws.hpp"
 #include "kernels/contact_forces.hpp"
 
 #include <algorithm>
@@ -48,7 +47,7 @@ void rebuild(GrainSystem& system)
             needs.history = std::decay_t<decltype(law)>::has_history;
             needs.bonds = std::decay_t<decltype(law)>::adheres;
         },
-        make_contact_law(system.pairs));
+        system.law);
     SearchSettings search;
     search.skin = system.settings.skin;
     search.needs = needs;
@@ -63,7 +62,7 @@ void evaluate(GrainSystem& system)
             evaluate_contacts(law, system.particles, system.settings.box, system.contacts, system.settings.dt,
                               system.integrator.gate());
         },
-        make_contact_law(system.pairs));
+        system.law);
 }
 
 GrainSystem make_system(SystemSettings const& settings)
@@ -71,6 +70,7 @@ GrainSystem make_system(SystemSettings const& settings)
     GrainSystem system;
     system.settings = settings;
     system.pairs = all_pairs(settings);
+    system.law = make_contact_law(system.pairs);
     std::vector<Real> densities;
     for (MaterialSettings const& material : settings.materials) densities.push_back(material.density);
     system.particles = make_particles(settings.grains, densities);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "apps/verify/materials.hpp"
+#include "kernels/contact/contact_laws.hpp"
 #include "kernels/contact_search.hpp"
 #include "kernels/integrate.hpp"
 
@@ -38,6 +39,7 @@ inline Grain make_grain(GrainId id, Vec3 const& position, Real diameter, Vec3 co
 struct GrainSystem {
     SystemSettings settings;
     std::vector<PairConstants> pairs;
+    AnyContactLaw law = SmoothSand{};
     Particles particles;
     ContactList contacts;
     Integrator integrator;

@@ -6,7 +6,6 @@
 #include "apps/verify/lattice.hpp"
 #include "core/critical_time_step.hpp"
 #include "core/random.hpp"
-#include "kernels/contact/contact_laws.hpp"
 #include "kernels/diagnostics.hpp"
 #include "kernels/stress.hpp"
 
@@ -46,7 +45,7 @@ Real stored_energy(GrainSystem const& system)
         [&](auto const& law) {
             return report_contacts(law, system.particles, system.settings.box, system.contacts, sums).elastic;
         },
-        make_contact_law(system.pairs));
+        system.law);
 }
 
 /// -dE/dV [Pa] by a stretch along z (SC: one of three families of contacts) or along all axes (FCC).
