@@ -10,6 +10,7 @@
 #   ARENITE_GRAINS   "34000 270000 1000000 8000000"
 #   ARENITE_CELLS    "128 256"                 along an edge of the fluid's cube
 #   ARENITE_RESULTS  perf/results/<card>
+# grains.csv: a lattice; pack33752.csv: the shared pack. launches.csv: of tests/scenes/small.toml.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -69,17 +70,29 @@ head_of() {
 }
 
 say "Grains"
-head_of grains.csv "law,grains,steps,particle_steps_per_s,least,most,contacts_per_grain,bytes_per_particle_step,share_of_copy,share_of_copy_beyond_caches,memory_bytes_per_grain,one_search_s,state_hash"
+numbers="contacts_per_grain bytes_per_particle_step share_of_copy share_of_copy_beyond_caches memory_bytes_per_grain one_search_s state_hash"
+# bench FILE LAW STEPS PACK...: a row of the table.
+bench() {
+    local lines speeds last name
+    lines=$(run "${*:4}, $2" "$arenite" bench "${@:4}" --law "$2" --steps "$3" --repeats 3 --limits) || return 0
+    speeds=$(field particle_steps_per_s <<<"$lines" | sort -g)
+    last=$(tail -n 1 <<<"$lines")
+    {
+        printf '%s,%s,%s' "$2" "$(field grains <<<"$last")" "$3"
+        for name in 2 1 3; do printf ',%s' "$(sed -n ${name}p <<<"$speeds")"; done
+        for name in $numbers; do printf ',%s' "$(field "$name" <<<"$last")"; done
+        echo
+    } | tee -a "$results/$1"
+}
+columns="law,grains,steps,particle_steps_per_s,least,most,${numbers// /,}"
+head_of grains.csv "$columns"
+head_of pack33752.csv "$columns"
+gzip -dc perf/packs/pack33752.txt.gz >"$build/pack33752.txt"
 for law in jkr hertz; do
+    bench pack33752.csv $law 2000 --pack "$build/pack33752.txt"
     for grains in ${ARENITE_GRAINS:-34000 270000 1000000 8000000}; do
         steps=$((500000000 / grains))
-        steps=$((steps < 50 ? 50 : steps > 2000 ? 2000 : steps))
-        lines=$(run "$grains grains, $law" "$arenite" bench --grains "$grains" --law "$law" --steps "$steps" --repeats 3 --limits) || continue
-        speeds=$(field particle_steps_per_s <<<"$lines" | sort -g)
-        last=$(tail -n 1 <<<"$lines")
-        echo "$law,$(field grains <<<"$last"),$steps,$(sed -n 2p <<<"$speeds"),$(sed -n 1p <<<"$speeds"),$(sed -n 3p <<<"$speeds")$(
-            for name in contacts_per_grain bytes_per_particle_step share_of_copy share_of_copy_beyond_caches memory_bytes_per_grain \
-                one_search_s state_hash; do printf ',%s' "$(field $name <<<"$last")"; done)" | tee -a "$results/grains.csv"
+        bench grains.csv $law $((steps < 50 ? 50 : steps > 2000 ? 2000 : steps)) --grains "$grains"
     done
 done
 
@@ -105,8 +118,14 @@ for name in $tests; do
     test=$(program "$name") && run "$name" "$test" >"$build/$name.log" 2>&1 || { tail -n 20 "$build/$name.log"; failed+=" $name"; continue; }
     echo "passed: $name"
 done
-for group in contact integrator search coarse_graining friction coupling fluid; do # small cases all: a GPU waits for launches
-    run "arenite verify $group" "$arenite" verify "$group" | tail -n 1 || failed+=" verify-$group"
+head_of launches.csv stage,steps,searches,launches_per_step,waits_per_step
+sed -nE 's/^([a-z/]+) +([0-9]+) +([0-9]+) +([0-9.]+) +([0-9.]+)$/\1,\2,\3,\4,\5/p' "$build/count_launches.log" | tee -a "$results/launches.csv"
+head_of verify.csv group,rows,failed,seconds
+for group in contact integrator search coarse_graining friction fluid coupling; do # small cases all: a GPU waits for launches
+    began=$SECONDS
+    line=$(run "arenite verify $group" "$arenite" verify "$group" | tail -n 1) || failed+=" verify-$group"
+    line=$(sed -nE 's/^([0-9]+) checks, ([0-9]+) failed.*/\1,\2/p' <<<"$line")
+    [ -z "$line" ] || echo "$group,$line,$((SECONDS - began))" | tee -a "$results/verify.csv"
 done
 
 printf '\n== %d s, results in %s\n' "$SECONDS" "$results"
