@@ -81,27 +81,37 @@ template <int N> void reserve(SumWorkspace& workspace, int parts)
 
 } // namespace reproducible
 
-/// N sums at once over i = 0 .. count - 1 of term(i), a device functor that returns Terms<N>. On the host
-/// when it returns: one synchronisation.
+/// N sums at once over i = 0 .. count - 1 of term(i), a device functor that returns Terms<N> and may write what belongs to
+/// i. They go to `to`, memory that both the device and, on a host, the caller can reach; nobody waits for a device.
 template <int N, class Term>
-Terms<N> reproducible_sums(SumWorkspace& workspace, char const* label, int count, Term const& term)
+void reproducible_sums_to(Real* to, SumWorkspace& workspace, char const* label, int count, Term const& term)
 {
-    Terms<N> total{};
-    if (count <= 0) return total;
     int const parts = reproducible::part_count(count);
     reproducible::reserve<N>(workspace, parts);
     if constexpr (on_host) {
         reproducible::sum_chunks<N>(label, count, workspace.partial, term);
         ExecutionSpace().fence(label);
+        for (int n = 0; n < N; ++n) to[n] = 0;
         for (int c = 0; c < parts; ++c)
-            for (int n = 0; n < N; ++n) total[n] += workspace.partial(c * N + n);
+            for (int n = 0; n < N; ++n) to[n] += workspace.partial(c * N + n);
     } else {
-        Real* const to_host = workspace.total.data();
-        reproducible::sum_blocks<N>(label, count, reproducible::block, parts > 1 ? workspace.partial.data() : to_host, term);
-        if (parts > 1)
-            reproducible::sum_blocks<N>(label, parts, parts, to_host, reproducible::PartialTerm<N>{workspace.partial});
+        reproducible::sum_blocks<N>(label, count, reproducible::block, parts > 1 ? workspace.partial.data() : to, term);
+        if (parts > 1) reproducible::sum_blocks<N>(label, parts, parts, to, reproducible::PartialTerm<N>{workspace.partial});
+    }
+}
+
+/// The same, on the host when it returns: one synchronisation.
+template <int N, class Term>
+Terms<N> reproducible_sums(SumWorkspace& workspace, char const* label, int count, Term const& term)
+{
+    Terms<N> total{};
+    if (count <= 0) return total;
+    reproducible::reserve<N>(workspace, reproducible::part_count(count));
+    Real* const to = on_host ? &total[0] : workspace.total.data();
+    reproducible_sums_to<N>(to, workspace, label, count, term);
+    if constexpr (!on_host) {
         ExecutionSpace().fence(label);
-        for (int n = 0; n < N; ++n) total[n] = to_host[n];
+        for (int n = 0; n < N; ++n) total[n] = to[n];
     }
     return total;
 }
@@ -111,6 +121,13 @@ inline Real reproducible_dot(SumWorkspace& workspace, View1<Real> const& a, View
 {
     return reproducible_sums<1>(
         workspace, "reproducible_dot", a.extent_int(0), KOKKOS_LAMBDA(int i) { return Terms<1>{a(i) * b(i)}; })[0];
+}
+
+/// The same to where reproducible_sums_to puts it.
+inline void reproducible_dot_to(Real* to, SumWorkspace& workspace, View1<Real> const& a, View1<Real> const& b)
+{
+    reproducible_sums_to<1>(
+        to, workspace, "reproducible_dot", a.extent_int(0), KOKKOS_LAMBDA(int i) { return Terms<1>{a(i) * b(i)}; });
 }
 
 inline Real reproducible_sum(SumWorkspace& workspace, View1<Real> const& a)

@@ -5,20 +5,19 @@
 
 #include "core/reproducible_sum.hpp"
 
-#include <KokkosBlas1_axpby.hpp>
-
 #include <cmath>
 
 namespace arenite {
 
 struct KrylovVectors {
     View1<Real> solution, residual, preconditioned, direction, image;
+    View1<Real> scalars; // work space of the solver
 };
 
 inline KrylovVectors make_krylov_vectors(int size)
 {
-    return {View1<Real>("solution", size), View1<Real>("residual", size), View1<Real>("preconditioned", size),
-            View1<Real>("direction", size), View1<Real>("image", size)};
+    return {View1<Real>("solution", size),  View1<Real>("residual", size), View1<Real>("preconditioned", size),
+            View1<Real>("direction", size), View1<Real>("image", size),    View1<Real>("krylov_scalars", 3)};
 }
 
 struct KrylovLimits {
@@ -33,7 +32,8 @@ struct KrylovReport {
     bool converged = true;
 };
 
-/// Solves matrix(solution) = right-hand side. On entry solution is 0 and residual the right-hand side.
+/// Solves matrix(solution) = right-hand side. On entry solution is 0 and residual the right-hand side. The host waits once
+/// an iteration, for the residual's norm: the other two sums stay where the vectors are.
 template <class Matrix, class Preconditioner>
 KrylovReport solve_by_conjugate_gradients(KrylovVectors const& v, KrylovLimits const& limits, SumWorkspace& sums,
                                           Matrix const& matrix, Preconditioner const& precondition)
@@ -42,18 +42,31 @@ KrylovReport solve_by_conjugate_gradients(KrylovVectors const& v, KrylovLimits c
     Real const target = std::fmax(limits.relative * first, limits.absolute);
     KrylovReport report;
     if (first <= target) return report;
-    Real norm = first, product = 0;
+    int const size = v.solution.extent_int(0);
+    KrylovVectors const of = v;
+    Real* const scalar = v.scalars.data(); // r z of the last iteration and of this one, taking turns; d A d
+    Real norm = first;
     while (norm > target && report.iterations < limits.iterations) {
         precondition(v.residual, v.preconditioned);
-        Real const old_product = product;
-        product = reproducible_dot(sums, v.residual, v.preconditioned);
-        Real const beta = report.iterations == 0 ? 0 : product / old_product;
-        KokkosBlas::axpby(Real(1), v.preconditioned, beta, v.direction);
+        int const now = report.iterations % 2;
+        bool const is_first = report.iterations == 0;
+        reproducible_dot_to(scalar + now, sums, v.residual, v.preconditioned);
+        Kokkos::parallel_for(
+            "update_direction", RangePolicy(0, size), KOKKOS_LAMBDA(int i) {
+                Real const kept = is_first ? 0 : scalar[now] / scalar[1 - now] * of.direction(i);
+                of.direction(i) = of.preconditioned(i) + kept;
+            });
         matrix(v.direction, v.image);
-        Real const alpha = product / reproducible_dot(sums, v.direction, v.image);
-        KokkosBlas::axpy(alpha, v.direction, v.solution);
-        KokkosBlas::axpy(-alpha, v.image, v.residual);
-        norm = std::sqrt(reproducible_dot(sums, v.residual, v.residual));
+        reproducible_dot_to(scalar + 2, sums, v.direction, v.image);
+        auto const square = reproducible_sums<1>(
+            sums, "update_solution", size, KOKKOS_LAMBDA(int i) {
+                Real const alpha = scalar[now] / scalar[2];
+                of.solution(i) += alpha * of.direction(i);
+                Real const residual = of.residual(i) - alpha * of.image(i);
+                of.residual(i) = residual;
+                return Terms<1>{residual * residual};
+            });
+        norm = std::sqrt(square[0]);
         ++report.iterations;
     }
     report.residual = norm / first;
