@@ -26,39 +26,57 @@ constexpr int team = 256, block = 4 * team; // threads, and terms that they sum
 
 inline int part_count(int terms) { return on_host ? (terms + chunk - 1) / chunk : (terms + block - 1) / block; }
 
-template <int N, class Term> void sum_chunks(char const* label, int terms, View1<Real> const& partial, Term const& term)
-{
-    Kokkos::parallel_for(
-        label, RangePolicy(0, part_count(terms)), KOKKOS_LAMBDA(int c) {
-            Real sum[lanes][N] = {};
-            for (int which = 0; which < chunk; which += lanes) {
-                for (int lane = 0; lane < lanes; ++lane) {
-                    int const i = c * chunk + which + lane;
-                    if (i >= terms) continue;
-                    Terms<N> const value = term(i);
-                    for (int n = 0; n < N; ++n) sum[lane][n] += value[n];
-                }
+// Kernels in headers are structs, not lambdas: nvcc keeps part of an extended lambda's type to each source file, and a
+// function that several of them share would call what another one made.
+template <int N, class Term> struct ChunkSum {
+    Term term;
+    int terms;
+    View1<Real> partial;
+
+    KOKKOS_FUNCTION void operator()(int c) const
+    {
+        Real sum[lanes][N] = {};
+        for (int which = 0; which < chunk; which += lanes) {
+            for (int lane = 0; lane < lanes; ++lane) {
+                int const i = c * chunk + which + lane;
+                if (i >= terms) continue;
+                Terms<N> const value = term(i);
+                for (int n = 0; n < N; ++n) sum[lane][n] += value[n];
             }
-            for (int n = 0; n < N; ++n) partial(c * N + n) = (sum[0][n] + sum[1][n]) + (sum[2][n] + sum[3][n]);
-        });
-}
+        }
+        for (int n = 0; n < N; ++n) partial(c * N + n) = (sum[0][n] + sum[1][n]) + (sum[2][n] + sum[3][n]);
+    }
+};
 
 /// A team sums `span` terms.
+template <int N, class Term> struct BlockSum {
+    Term term;
+    int terms, span;
+    Real* partial;
+
+    KOKKOS_FUNCTION void operator()(TeamPolicy::member_type const& member) const
+    {
+        int const part = member.league_rank(), end = Kokkos::min(terms, (part + 1) * span);
+        Real sum[N] = {};
+        for (int i = part * span + member.team_rank(); i < end; i += team) {
+            Terms<N> const value = term(i);
+            for (int n = 0; n < N; ++n) sum[n] += value[n];
+        }
+        for (int n = 0; n < N; ++n) {
+            member.team_reduce(Kokkos::Sum<Real>(sum[n]));
+            if (member.team_rank() == 0) partial[part * N + n] = sum[n];
+        }
+    }
+};
+
+template <int N, class Term> void sum_chunks(char const* label, int terms, View1<Real> const& partial, Term const& term)
+{
+    Kokkos::parallel_for(label, RangePolicy(0, part_count(terms)), ChunkSum<N, Term>{term, terms, partial});
+}
+
 template <int N, class Term> void sum_blocks(char const* label, int terms, int span, Real* partial, Term const& term)
 {
-    Kokkos::parallel_for(
-        label, TeamPolicy((terms + span - 1) / span, team), KOKKOS_LAMBDA(TeamPolicy::member_type const& member) {
-            int const part = member.league_rank(), end = Kokkos::min(terms, (part + 1) * span);
-            Real sum[N] = {};
-            for (int i = part * span + member.team_rank(); i < end; i += team) {
-                Terms<N> const value = term(i);
-                for (int n = 0; n < N; ++n) sum[n] += value[n];
-            }
-            for (int n = 0; n < N; ++n) {
-                member.team_reduce(Kokkos::Sum<Real>(sum[n]));
-                if (member.team_rank() == 0) partial[part * N + n] = sum[n];
-            }
-        });
+    Kokkos::parallel_for(label, TeamPolicy((terms + span - 1) / span, team), BlockSum<N, Term>{term, terms, span, partial});
 }
 
 template <int N> struct PartialTerm { // the sum of a part as a term of the next round
@@ -78,6 +96,15 @@ template <int N> void reserve(SumWorkspace& workspace, int parts)
     if (!on_host && workspace.total.extent_int(0) < N)
         workspace.total = Kokkos::View<Real*, PinnedSpace>(uninitialized("sum_total"), N);
 }
+
+struct Products {
+    View1<Real> a, b;
+    KOKKOS_FUNCTION Terms<1> operator()(int i) const { return {a(i) * b(i)}; }
+};
+struct Entries {
+    View1<Real> a;
+    KOKKOS_FUNCTION Terms<1> operator()(int i) const { return {a(i)}; }
+};
 
 } // namespace reproducible
 
@@ -119,21 +146,18 @@ Terms<N> reproducible_sums(SumWorkspace& workspace, char const* label, int count
 /// Dot product of two vectors of equal length.
 inline Real reproducible_dot(SumWorkspace& workspace, View1<Real> const& a, View1<Real> const& b)
 {
-    return reproducible_sums<1>(
-        workspace, "reproducible_dot", a.extent_int(0), KOKKOS_LAMBDA(int i) { return Terms<1>{a(i) * b(i)}; })[0];
+    return reproducible_sums<1>(workspace, "reproducible_dot", a.extent_int(0), reproducible::Products{a, b})[0];
 }
 
 /// The same to where reproducible_sums_to puts it.
 inline void reproducible_dot_to(Real* to, SumWorkspace& workspace, View1<Real> const& a, View1<Real> const& b)
 {
-    reproducible_sums_to<1>(
-        to, workspace, "reproducible_dot", a.extent_int(0), KOKKOS_LAMBDA(int i) { return Terms<1>{a(i) * b(i)}; });
+    reproducible_sums_to<1>(to, workspace, "reproducible_dot", a.extent_int(0), reproducible::Products{a, b});
 }
 
 inline Real reproducible_sum(SumWorkspace& workspace, View1<Real> const& a)
 {
-    return reproducible_sums<1>(
-        workspace, "reproducible_sum", a.extent_int(0), KOKKOS_LAMBDA(int i) { return Terms<1>{a(i)}; })[0];
+    return reproducible_sums<1>(workspace, "reproducible_sum", a.extent_int(0), reproducible::Entries{a})[0];
 }
 
 } // namespace arenite

@@ -32,39 +32,39 @@ struct KrylovReport {
     bool converged = true;
 };
 
-// Functions of their own: under nvcc a kernel cannot stand in a template over a caller's lambda.
 namespace krylov_detail {
 
-/// Places in KrylovVectors::scalars: r z of this iteration, and d A d.
-inline int product_of(int iteration) { return iteration % 2; }
-constexpr int curvature = 2;
+/// Places in KrylovVectors::scalars: r z of an iteration, and d A d.
+KOKKOS_INLINE_FUNCTION int product_of(int iteration) { return iteration % 2; }
+inline constexpr int curvature = 2;
 
 /// d = z + beta d.
-inline void update_direction(KrylovVectors const& vectors, int iteration)
-{
-    KrylovVectors const v = vectors;
-    int const now = product_of(iteration), before = product_of(iteration + 1);
-    Kokkos::parallel_for(
-        "update_direction", RangePolicy(0, v.direction.extent_int(0)), KOKKOS_LAMBDA(int i) {
-            Real const kept = iteration == 0 ? 0 : v.scalars(now) / v.scalars(before) * v.direction(i);
-            v.direction(i) = v.preconditioned(i) + kept;
-        });
-}
+struct UpdateDirection {
+    KrylovVectors v;
+    int iteration;
 
-/// x += alpha d, r -= alpha A d; the square of r's norm.
-inline Real update_solution(KrylovVectors const& vectors, SumWorkspace& sums, int iteration)
-{
-    KrylovVectors const v = vectors;
-    int const now = product_of(iteration);
-    return reproducible_sums<1>(
-        sums, "update_solution", v.solution.extent_int(0), KOKKOS_LAMBDA(int i) {
-            Real const alpha = v.scalars(now) / v.scalars(curvature);
-            v.solution(i) += alpha * v.direction(i);
-            Real const residual = v.residual(i) - alpha * v.image(i);
-            v.residual(i) = residual;
-            return Terms<1>{residual * residual};
-        })[0];
-}
+    KOKKOS_FUNCTION void operator()(int i) const
+    {
+        Real const kept =
+            iteration == 0 ? 0 : v.scalars(product_of(iteration)) / v.scalars(product_of(iteration + 1)) * v.direction(i);
+        v.direction(i) = v.preconditioned(i) + kept;
+    }
+};
+
+/// x += alpha d, r -= alpha A d; the square of r.
+struct UpdateSolution {
+    KrylovVectors v;
+    int iteration;
+
+    KOKKOS_FUNCTION Terms<1> operator()(int i) const
+    {
+        Real const alpha = v.scalars(product_of(iteration)) / v.scalars(curvature);
+        v.solution(i) += alpha * v.direction(i);
+        Real const residual = v.residual(i) - alpha * v.image(i);
+        v.residual(i) = residual;
+        return {residual * residual};
+    }
+};
 
 } // namespace krylov_detail
 
@@ -79,14 +79,15 @@ KrylovReport solve_by_conjugate_gradients(KrylovVectors const& v, KrylovLimits c
     Real const target = std::fmax(limits.relative * first, limits.absolute);
     KrylovReport report;
     if (first <= target) return report;
+    int const size = v.solution.extent_int(0);
     Real norm = first;
     for (int& iteration = report.iterations; norm > target && iteration < limits.iterations; ++iteration) {
         precondition(v.residual, v.preconditioned);
         reproducible_dot_to(v.scalars.data() + product_of(iteration), sums, v.residual, v.preconditioned);
-        update_direction(v, iteration);
+        Kokkos::parallel_for("update_direction", RangePolicy(0, size), UpdateDirection{v, iteration});
         matrix(v.direction, v.image);
         reproducible_dot_to(v.scalars.data() + curvature, sums, v.direction, v.image);
-        norm = std::sqrt(update_solution(v, sums, iteration));
+        norm = std::sqrt(reproducible_sums<1>(sums, "update_solution", size, UpdateSolution{v, iteration})[0]);
     }
     report.residual = norm / first;
     report.converged = norm <= target; // false for NaN as well

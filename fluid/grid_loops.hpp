@@ -61,13 +61,22 @@ KOKKOS_FORCEINLINE_FUNCTION int boundary_side(Grid const& grid, int component, N
     return at == 0 ? -1 : (at == grid.cells[component] ? 1 : 0);
 }
 
+namespace grid_loops_detail {
+
+/// A block of nx ny ... nodes from `first` on in all directions.
+template <class Body> struct OverNodes {
+    Body body;
+    int nx, ny, first;
+    KOKKOS_FUNCTION void operator()(int c) const { body(Node{c % nx + first, c / nx % ny + first, c / nx / ny + first}); }
+};
+
+} // namespace grid_loops_detail
+
 /// body(Node) for every cell, without the halo.
 template <class Body> void for_each_cell(char const* label, Grid const& grid, Body const& body)
 {
-    int const nx = grid.cells[0], ny = grid.cells[1];
-    Kokkos::parallel_for(
-        label, RangePolicy(0, grid.cell_count()),
-        KOKKOS_LAMBDA(int c) { body(Node{c % nx + Grid::halo, c / nx % ny + Grid::halo, c / nx / ny + Grid::halo}); });
+    Kokkos::parallel_for(label, RangePolicy(0, grid.cell_count()),
+                         grid_loops_detail::OverNodes<Body>{body, grid.cells[0], grid.cells[1], Grid::halo});
 }
 
 /// Flat index of a cell without the halo, x fastest: the pressure solver's numbering.
@@ -94,24 +103,34 @@ KOKKOS_FORCEINLINE_FUNCTION Node face_of_slot(Grid const& grid, int c)
     return {c % nx + Grid::halo, c / nx % ny + Grid::halo, c / nx / ny + Grid::halo};
 }
 
+namespace grid_loops_detail {
+
+template <class Body> struct OverFaces {
+    Body body;
+    Grid grid;
+    int slots;
+    KOKKOS_FUNCTION void operator()(int f) const
+    {
+        int const component = f / slots;
+        Node const node = face_of_slot(grid, f - component * slots);
+        if (is_face(grid, component, node)) body(component, node);
+    }
+};
+
+} // namespace grid_loops_detail
+
 /// body(component, Node) for every face of the three components, boundary faces included.
 template <class Body> void for_each_face(char const* label, Grid const& grid, Body const& body)
 {
     int const slots = face_slots(grid);
-    Kokkos::parallel_for(
-        label, RangePolicy(0, 3 * slots), KOKKOS_LAMBDA(int f) {
-            int const component = f / slots;
-            Node const node = face_of_slot(grid, f - component * slots);
-            if (is_face(grid, component, node)) body(component, node);
-        });
+    Kokkos::parallel_for(label, RangePolicy(0, 3 * slots), grid_loops_detail::OverFaces<Body>{body, grid, slots});
 }
 
 /// body(Node) for every node that a field holds, the halo included.
 template <class Body> void for_each_node(char const* label, Grid const& grid, Body const& body)
 {
     int const nx = grid.allocated(0), ny = grid.allocated(1), nz = grid.allocated(2);
-    Kokkos::parallel_for(
-        label, RangePolicy(0, nx * ny * nz), KOKKOS_LAMBDA(int c) { body(Node{c % nx, c / nx % ny, c / nx / ny}); });
+    Kokkos::parallel_for(label, RangePolicy(0, nx * ny * nz), grid_loops_detail::OverNodes<Body>{body, nx, ny, 0});
 }
 
 } // namespace arenite
