@@ -27,12 +27,13 @@ int scan_counts(View1<int> const& begin, int cells)
     return total;
 }
 
-void fill_cells(View1<int> const& cell_of_item, int items, CellList const& list, View1<int> const& filled)
+void fill_cells(View1<int> const& cell_of_item, int items, CellList const& list, View1<int> const& cursor,
+                View1<int> const& filled)
 {
     Kokkos::parallel_for(
         "fill_cells", RangePolicy(0, items), KOKKOS_LAMBDA(int item) {
             int const cell = cell_of_item(item);
-            if (cell >= 0) filled(list.begin(cell) + Kokkos::atomic_fetch_add(&list.cursor(cell), 1)) = item;
+            if (cell >= 0) filled(list.begin(cell) + Kokkos::atomic_fetch_add(&cursor(cell), 1)) = item;
         });
 }
 
@@ -57,27 +58,20 @@ void sort_cells(View1<GrainId> const& id, CellList const& list, int cells)
 }
 
 /// The same by counting who comes first, an entry a thread: on a device the cell with most items keeps nobody waiting.
-void rank_entries(View1<int> const& cell_of_item, View1<GrainId> const& id, CellList const& list)
+void rank_entries(View1<int> const& cell_of_item, View1<GrainId> const& id, CellList const& list, View1<int> const& filled)
 {
     Kokkos::parallel_for(
         "rank_entries", RangePolicy(0, list.entries), KOKKOS_LAMBDA(int entry) {
-            int const item = list.filled(entry), cell = cell_of_item(item), first = list.begin(cell);
+            int const item = filled(entry), cell = cell_of_item(item), first = list.begin(cell);
             int rank = 0;
-            for (int k = first; k < list.begin(cell + 1); ++k) rank += before(id, list.filled(k), item) ? 1 : 0;
+            for (int k = first; k < list.begin(cell + 1); ++k) rank += before(id, filled(k), item) ? 1 : 0;
             list.item(first + rank) = item;
         });
 }
 
-void fit(View1<int>& array, std::string const& label, int length)
+View1<int> part(View1<int> const& array, int first, int length)
 {
-    if (array.extent_int(0) < length) array = View1<int>(uninitialized(label), length);
-}
-
-/// At least `length` entries, that many of them zero.
-void fill_zero(View1<int>& array, std::string const& label, int length)
-{
-    if (array.extent_int(0) < length) array = View1<int>(label, length);
-    else Kokkos::deep_copy(ExecutionSpace(), Kokkos::subview(array, Kokkos::make_pair(0, length)), 0);
+    return Kokkos::subview(array, Kokkos::make_pair(first, first + length));
 }
 
 } // namespace
@@ -85,19 +79,23 @@ void fill_zero(View1<int>& array, std::string const& label, int length)
 CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id, int items, int cells,
                         CellList const& spare)
 {
+    // One array for what is counted and one for what is listed: to a GPU an allocation is as dear as a kernel.
     CellList list = spare;
-    fill_zero(list.begin, "cell_begin", cells + 1);
-    fill_zero(list.cursor, "cell_cursor", cells);
+    int const counters = 2 * cells + 1;
+    if (list.begin.extent_int(0) < counters) list.begin = View1<int>("cell_begin", counters);
+    else Kokkos::deep_copy(ExecutionSpace(), part(list.begin, 0, counters), 0);
+    View1<int> const cursor = part(list.begin, cells + 1, cells);
     count_items(cell_of_item, items, list.begin);
     list.entries = scan_counts(list.begin, cells);
-    fit(list.item, "cell_item", list.entries);
+    int const places = on_host ? list.entries : 2 * list.entries;
+    if (list.item.extent_int(0) < places) list.item = View1<int>(uninitialized("cell_item"), places);
     if (on_host) {
-        fill_cells(cell_of_item, items, list, list.item);
+        fill_cells(cell_of_item, items, list, cursor, list.item);
         sort_cells(id, list, cells);
     } else {
-        fit(list.filled, "cell_filled", list.entries);
-        fill_cells(cell_of_item, items, list, list.filled);
-        rank_entries(cell_of_item, id, list);
+        View1<int> const filled = part(list.item, list.entries, list.entries);
+        fill_cells(cell_of_item, items, list, cursor, filled);
+        rank_entries(cell_of_item, id, list, filled);
     }
     return list;
 }

@@ -8,10 +8,8 @@
 namespace arenite {
 
 struct CellList {
-    View1<int> begin;  // [cell + 1] first entry of a cell
-    View1<int> item;   // [entry] item, in a cell by ascending (id, item)
-    View1<int> cursor; // [cell], work space
-    View1<int> filled; // [entry], a device's
+    View1<int> begin; // [cell + 1] first entry of a cell; behind that work space
+    View1<int> item;  // [entry] item, in a cell by ascending (id, item); on a device the same behind that
     int entries = 0;
 };
 

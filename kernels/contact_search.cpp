@@ -176,7 +176,8 @@ View1<int> locality_order(Particles const& particles, Bounds const& bounds, View
                 code |= spread_bits(cell_number((position(i, axis) - lower[axis]) / cell, along)) << axis;
             key(i) = all_stay || keep(i) ? code : -1;
         });
-    return make_cell_list(key, particles.id, particles.count, along * along * along).item;
+    CellList const list = make_cell_list(key, particles.id, particles.count, along * along * along);
+    return Kokkos::subview(list.item, Kokkos::make_pair(0, list.entries));
 }
 
 // ---------------------------------------------------------------- points and grids
