@@ -86,17 +86,19 @@ void add_constant(View1<Real> const& vector, Real constant)
         "add_constant", RangePolicy(0, vector.extent_int(0)), KOKKOS_LAMBDA(int c) { vector(c) += constant; });
 }
 
-/// A closed box takes no net volume: what is left is rounding of the porosities, and is spread evenly.
-void project_closed_box(Flow const& flow, FlowSolver& solver, Real imbalance, Real dt)
+/// A closed box takes no net volume: what is left is rounding, of the porosities and of what passes from cell to cell, and is
+/// spread evenly.
+void project_closed_box(Flow const& flow, FlowSolver& solver, Throughput const& throughput, Real dt)
 {
-    Real const volume = flow.grid.cell_count() * flow.grid.cell_volume();
-    constexpr Real rounding = 1e-9; // of the box per step; porosities are sums over many grains
-    if (!(std::abs(imbalance) * dt <= rounding * volume))
+    Real const imbalance = throughput.imbalance, cells = flow.grid.cell_count();
+    constexpr Real of_porosities = 1e-9; // of the box per step; they are sums over many grains
+    Real const rounding = of_porosities * cells * flow.grid.cell_volume() / dt + std::sqrt(cells) * throughput.rounding;
+    if (!(std::abs(imbalance) <= rounding))
         throw SimulationError(fmt::format("fluid: the closed box would have to {} {:g} m3 of fluid in a step of {:g} s "
                                           "(its porosity changes or its inflow and outflow differ); it needs a "
                                           "pressure patch",
                                           imbalance > 0 ? "take in" : "give up", std::abs(imbalance) * dt, dt));
-    add_constant(solver.pressure_system.residual, -imbalance / flow.grid.cell_count());
+    add_constant(solver.pressure_system.residual, -imbalance / cells);
 }
 
 /// One number more in phi closes the mass of the whole box to rounding, whatever the solver's tolerance:
@@ -126,7 +128,7 @@ KrylovReport solve_pressure(Flow const& flow, FlowBoundary const& boundary, Flow
     update_multigrid(solver.levels);
     evaluate_continuity(flow, solver, time.dt);
     Throughput const throughput = measure_throughput(flow, solver, time.dt);
-    if (!boundary.has_pressure) project_closed_box(flow, solver, throughput.imbalance, time.dt);
+    if (!boundary.has_pressure) project_closed_box(flow, solver, throughput, time.dt);
 
     Kokkos::deep_copy(ExecutionSpace(), v.solution, Real(0));
     KrylovLimits limits = solver.pressure_limits;
