@@ -65,19 +65,18 @@ template <int components> struct PartSum {
             for (int n = 0; n < components; ++n) sum[r][n] += wy[r] * share[n];
     }
 
-    /// Over every `stride`-th of the block's entries, from number `start` on.
-    KOKKOS_FORCEINLINE_FUNCTION void add_entries(GrainWeights const& weights, Part const& part, TableView const& quantity,
-                                                 int start, int stride)
+    /// Over the block's entries.
+    KOKKOS_FORCEINLINE_FUNCTION void add_entries(GrainWeights const& weights, Part const& part, TableView const& quantity)
     {
         DepositStencil const& stencil = weights.stencil;
         int const block = part.sx + stencil.starts[0] * (part.sy + stencil.starts[1] * part.sz);
-        int const first = weights.begin(block) + start, last = weights.begin(block + 1);
+        int const first = weights.begin(block), last = weights.begin(block + 1);
         std::ptrdiff_t const columns = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
         Real const* w = weights.weight.data() + first * columns;
         Real const* values =
             quantity.data() + static_cast<std::ptrdiff_t>(first) * components; // without grains there is no row
         int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
-        for (int entry = first; entry < last; entry += stride, w += stride * columns, values += stride * components)
+        for (int entry = first; entry < last; ++entry, w += columns, values += components)
             add(w + x, w + y, w[z], values);
     }
 
@@ -100,7 +99,7 @@ void sum_parts(GrainWeights const& weights, TableView const& quantity, int first
             Part const part = part_of(weights.stencil, number, first_plane, planes);
             if (part.plane < 0) return;
             PartSum<components> sum;
-            sum.add_entries(weights, part, quantity, 0, 1);
+            sum.add_entries(weights, part, quantity);
             sum.write(weights.stencil, part, weights.partial.data());
         });
 }
