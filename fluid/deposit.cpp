@@ -123,7 +123,7 @@ void number_bins(DepositStencil const& stencil, RecordView const& position, int 
                  View1<int> const& bin)
 {
     Kokkos::parallel_for(
-        "bin_numbers", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
+        "number_bins", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
             int block = 0, inner = 0;
             bin(row) = -1;
             for (int axis = 2; axis >= 0; --axis) {

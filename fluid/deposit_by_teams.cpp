@@ -185,7 +185,7 @@ DepositChunks make_deposit_chunks(GrainWeights const& weights, DepositChunks con
     if (chunks.block.extent_int(0) < most) chunks.block = View1<int>(uninitialized("deposit_chunk_block"), most);
     View1<int> const begin = chunks.begin, block_of = chunks.block;
     Kokkos::parallel_scan(
-        "cut_chunks", RangePolicy(0, blocks + 1),
+        "make_deposit_chunks", RangePolicy(0, blocks + 1),
         KOKKOS_LAMBDA(int block, int& offset, bool last) {
             int const entries = block < blocks ? weights.begin(block + 1) - weights.begin(block) : 0;
             int const count = (entries + chunk_entries - 1) / chunk_entries;
