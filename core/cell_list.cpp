@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/cell_list.hpp"
 
+#include "core/work_array.hpp"
+
 namespace arenite {
 namespace {
 
@@ -79,16 +81,15 @@ View1<int> part(View1<int> const& array, int first, int length)
 CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id, int items, int cells,
                         CellList const& spare)
 {
-    // One array for what is counted and one for what is listed: to a GPU an allocation is as dear as a kernel.
+    // One array for what is counted and one for what is listed: a search allocates these anew (core/work_array.hpp).
     CellList list = spare;
     int const counters = 2 * cells + 1;
-    if (list.begin.extent_int(0) < counters) list.begin = View1<int>("cell_begin", counters);
-    else Kokkos::deep_copy(ExecutionSpace(), part(list.begin, 0, counters), 0);
+    fit(list.begin, "cell_begin", counters);
+    Kokkos::deep_copy(ExecutionSpace(), part(list.begin, 0, counters), 0);
     View1<int> const cursor = part(list.begin, cells + 1, cells);
     count_items(cell_of_item, items, list.begin);
     list.entries = scan_counts(list.begin, cells);
-    int const places = on_host ? list.entries : 2 * list.entries;
-    if (list.item.extent_int(0) < places) list.item = View1<int>(uninitialized("cell_item"), places);
+    fit(list.item, "cell_item", on_host ? list.entries : 2 * list.entries);
     if (on_host) {
         fill_cells(cell_of_item, items, list, cursor, list.item);
         sort_cells(id, list, cells);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/coupled_set.hpp"
 
+#include "core/work_array.hpp"
+
 #include <Kokkos_Sort.hpp>
 
 namespace arenite {
@@ -40,10 +42,8 @@ CoupledSet coupled_set(GrainWeights const& weights, Particles const& particles, 
 {
     CoupledSet set = storage;
     set.count = weights.entries;
-    if (static_cast<int>(set.id.extent(0)) < set.count) {
-        set.id = View1<GrainId>(uninitialized("coupled_id"), set.count);
-        set.position = RecordView(uninitialized("coupled_position"), set.count);
-    }
+    fit(set.id, "coupled_id", set.count);
+    fit(set.position, "coupled_position", set.count);
     auto const row = weights.bins.item;
     auto const id = particles.id;
     auto const position = particles.position;

@@ -2,6 +2,7 @@
 #include "fluid/deposit.hpp"
 
 #include "core/error.hpp"
+#include "core/work_array.hpp"
 #include "fluid/deposit_by_blocks.hpp"
 #include "fluid/deposit_by_teams.hpp"
 
@@ -197,12 +198,12 @@ GrainWeights make_grain_weights(DepositStencil const& stencil, RecordView const&
     double const bins_per_block = static_cast<double>(count) / grains_per_bin / stencil.block_count();
     int const bins_per_axis = std::max(1, static_cast<int>(std::cbrt(bins_per_block)));
     weights.bins_per_block = bins_per_axis * bins_per_axis * bins_per_axis;
-    if (weights.bin.extent_int(0) < count) weights.bin = View1<int>(uninitialized("bin_of_grain"), count);
+    fit(weights.bin, "bin_of_grain", count);
     number_bins(stencil, position, count, bins_per_axis, weights.bin);
     weights.bins = make_cell_list(weights.bin, id, count, stencil.block_count() * weights.bins_per_block, spare.bins);
     weights.entries = weights.bins.entries;
     auto const rows = static_cast<std::size_t>(weights.entries), columns = static_cast<std::size_t>(stencil.columns());
-    if (weights.first_cell.extent(0) < rows) weights.first_cell = View1<int>(uninitialized("first_cell_of_entry"), rows);
+    fit(weights.first_cell, "first_cell_of_entry", rows);
     if (weights.weight.extent(0) < rows || weights.weight.extent(1) != columns)
         weights.weight = WeightView(uninitialized("grain_weights"), rows, columns);
     if (on_host) reserve_block_sums(weights);

@@ -32,8 +32,8 @@ using WeightView = Kokkos::View<Real**, std::conditional_t<on_host, Kokkos::Layo
 /// block is moved or cut so that it lies in the box.
 struct DepositStencil {
     static constexpr int group = 4; // slots of x in a Quad; their storage is padded to it
-    static constexpr int rows_at_once =
-        lane_count > 1 ? 4 : 1; // slots of y that are summed at once: a GPU wants many small sums; y and z are padded to it
+    /// Slots of y that a host sums at once (deposit_by_blocks.hpp); y and z are padded to it.
+    static constexpr int rows_at_once = lane_count > 1 ? 4 : 1;
 
     Grid grid;
     Real support_radius = 0;    // m
@@ -47,6 +47,8 @@ struct DepositStencil {
     KOKKOS_FUNCTION int z_slot() const { return y_slot() + rows_at_once * row_groups; }
     KOKKOS_FUNCTION int columns() const { return z_slot() + (slots[2] + rows_at_once - 1) / rows_at_once * rows_at_once; }
     KOKKOS_FUNCTION int block_count() const { return starts[0] * starts[1] * starts[2]; }
+    /// Number of the block with these start cells.
+    KOKKOS_FUNCTION int block(int sx, int sy, int sz) const { return sx + starts[0] * (sy + starts[1] * sz); }
     /// Cell start + slot of an axis; the block of a periodic box may reach over its end.
     KOKKOS_FUNCTION int cell(int axis, int start, int slot) const
     {

@@ -2,6 +2,7 @@
 #include "fluid/deposit_by_blocks.hpp"
 
 #include "core/error.hpp"
+#include "core/work_array.hpp"
 
 #include <algorithm>
 
@@ -69,15 +70,14 @@ template <int components> struct PartSum {
     KOKKOS_FORCEINLINE_FUNCTION void add_entries(GrainWeights const& weights, Part const& part, TableView const& quantity)
     {
         DepositStencil const& stencil = weights.stencil;
-        int const block = part.sx + stencil.starts[0] * (part.sy + stencil.starts[1] * part.sz);
+        int const block = stencil.block(part.sx, part.sy, part.sz);
         int const first = weights.begin(block), last = weights.begin(block + 1);
         std::ptrdiff_t const columns = static_cast<std::ptrdiff_t>(weights.weight.stride(0));
         Real const* w = weights.weight.data() + first * columns;
         Real const* values =
             quantity.data() + static_cast<std::ptrdiff_t>(first) * components; // without grains there is no row
         int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
-        for (int entry = first; entry < last; ++entry, w += columns, values += components)
-            add(w + x, w + y, w[z], values);
+        for (int entry = first; entry < last; ++entry, w += columns, values += components) add(w + x, w + y, w[z], values);
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void write(DepositStencil const& stencil, Part const& part, Real* partial) const
@@ -175,8 +175,7 @@ void reserve_block_sums(GrainWeights& weights)
     for (int const components : {1, 4})
         partial =
             std::max(partial, planes_at_once(weights.stencil, components) * partial_of_plane(weights.stencil, components));
-    if (static_cast<long long>(weights.partial.extent(0)) < partial)
-        weights.partial = View1<Real>(uninitialized("deposit_partial"), partial);
+    fit(weights.partial, "deposit_partial", partial);
 }
 
 void deposit_by_blocks(GrainWeights const& weights, TableView const& quantity, TableView const& cell, int components)

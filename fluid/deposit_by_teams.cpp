@@ -2,6 +2,7 @@
 #include "fluid/deposit_by_teams.hpp"
 
 #include "core/error.hpp"
+#include "core/work_array.hpp"
 
 #include <algorithm>
 
@@ -10,10 +11,10 @@ namespace {
 
 // All of them are part of the result's definition.
 constexpr int chunk_entries = 256;
-constexpr int rows_of_team = 16, lanes_of_team = 8,
-              team = rows_of_team * lanes_of_team; // of threads, while a chunk is summed
-constexpr int lanes_of_cell = 16;                  // threads a component, while a cell's sum is added up
-constexpr long long partial_limit = 16'000'000;    // reals (128 MB) of sums of chunks held at once
+constexpr int rows_of_team = 16, lanes_of_team = 8; // of threads, while a chunk is summed
+constexpr int team = rows_of_team * lanes_of_team;
+constexpr int lanes_of_cell = 16;               // threads a component, while a cell's sum is added up
+constexpr long long partial_limit = 16'000'000; // reals (128 MB) of sums of chunks held at once
 
 // Threads of a team. On a host, where only tests come, one does what a team would.
 constexpr int sum_threads = on_host ? 1 : team;
@@ -126,13 +127,13 @@ template <int components> void add_chunks(GrainWeights const& weights, TableView
             for (int thread = member.team_rank(); thread < threads; thread += cell_threads<components>) {
                 int const q = thread % components;
                 Real total = 0;
-                for (int n = thread / components; n < touching;
-                     n += lanes_of_cell) { // blocks that have the cell, by its place
+                // The blocks that have the cell, by its place in them.
+                for (int n = thread / components; n < touching; n += lanes_of_cell) {
                     int const slot = n % stencil.slots[0], b = n / stencil.slots[0] % stencil.slots[1],
                               c = n / (stencil.slots[0] * stencil.slots[1]);
                     int const sx = stencil.start(0, i, slot), sy = stencil.start(1, j, b), sz = stencil.start(2, k, c);
                     if (sx < 0 || sy < 0 || sz < 0) continue;
-                    int const block = sx + stencil.starts[0] * (sy + stencil.starts[1] * sz);
+                    int const block = stencil.block(sx, sy, sz);
                     int const begin = Kokkos::max(table.begin(block) - first_chunk, 0),
                               end = Kokkos::min(table.begin(block + 1) - first_chunk, chunks);
                     std::size_t const step = static_cast<std::size_t>(numbers) * rows.count();
@@ -166,8 +167,8 @@ int chunks_at_once(DepositStencil const& stencil, int chunks, int components)
 template <int components> void deposit_chunks(GrainWeights const& weights, TableView const& quantity, TableView const& cell)
 {
     int const at_once = chunks_at_once(weights.stencil, weights.chunks.count, components);
-    for (int first = 0; first == 0 || first < weights.chunks.count;
-         first += at_once) { // cells are written without a grain, too
+    // Cells are written without a grain, too.
+    for (int first = 0; first == 0 || first < weights.chunks.count; first += at_once) {
         int const chunks = std::min(at_once, weights.chunks.count - first);
         sum_chunks<components>(weights, quantity, first, chunks);
         add_chunks<components>(weights, cell, first, chunks);
@@ -181,8 +182,8 @@ DepositChunks make_deposit_chunks(GrainWeights const& weights, DepositChunks con
     DepositChunks chunks = spare;
     int const blocks = weights.stencil.block_count();
     int const most = std::min(blocks, weights.entries) + weights.entries / chunk_entries;
-    if (chunks.begin.extent_int(0) < blocks + 1) chunks.begin = View1<int>(uninitialized("deposit_chunk_begin"), blocks + 1);
-    if (chunks.block.extent_int(0) < most) chunks.block = View1<int>(uninitialized("deposit_chunk_block"), most);
+    fit(chunks.begin, "deposit_chunk_begin", blocks + 1);
+    fit(chunks.block, "deposit_chunk_block", most);
     View1<int> const begin = chunks.begin, block_of = chunks.block;
     Kokkos::parallel_scan(
         "make_deposit_chunks", RangePolicy(0, blocks + 1),
@@ -200,8 +201,7 @@ DepositChunks make_deposit_chunks(GrainWeights const& weights, DepositChunks con
     for (int const components : {1, 4})
         partial = std::max(partial, chunks_at_once(weights.stencil, chunks.count, components) *
                                         partial_of_chunk(weights.stencil, components));
-    if (static_cast<long long>(chunks.partial.extent(0)) < partial)
-        chunks.partial = View1<Real>(uninitialized("deposit_chunk_sums"), partial);
+    fit(chunks.partial, "deposit_chunk_sums", partial);
     return chunks;
 }
 

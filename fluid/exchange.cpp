@@ -2,6 +2,7 @@
 #include "fluid/exchange.hpp"
 
 #include "core/error.hpp"
+#include "core/work_array.hpp"
 #include "fluid/flow_balance.hpp"
 
 #include <fmt/format.h>
@@ -13,13 +14,6 @@ namespace arenite {
 namespace {
 
 KOKKOS_FUNCTION Real sphere_volume(Real radius) { return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius; }
-
-/// Work arrays grow with the number of grains and are kept when it falls.
-void fit(TableView& table, char const* label, int rows, int columns)
-{
-    if (static_cast<int>(table.extent(0)) >= rows) return;
-    table = TableView(uninitialized(label), rows, columns);
-}
 
 /// row: [entry] of position, or empty where position is by entry itself.
 void evaluate_volume(RecordView const& position, View1<int> const& row, int entries, TableView const& volume)

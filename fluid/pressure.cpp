@@ -86,8 +86,8 @@ void add_constant(View1<Real> const& vector, Real constant)
         "add_constant", RangePolicy(0, vector.extent_int(0)), KOKKOS_LAMBDA(int c) { vector(c) += constant; });
 }
 
-/// A closed box takes no net volume: what is left is rounding, of the porosities and of what passes from cell to cell, and is
-/// spread evenly.
+/// A closed box takes no net volume: what is left is rounding, of the porosities and of what passes from cell to cell, and
+/// is spread evenly.
 void project_closed_box(Flow const& flow, FlowSolver& solver, Throughput const& throughput, Real dt)
 {
     Real const imbalance = throughput.imbalance, cells = flow.grid.cell_count();

@@ -105,7 +105,7 @@ done
 
 say "Coupling"
 head_of coupling.csv "grains,cells,backend,concurrency,grain_step_ms,deposit_ms,interpolate_ms,flow_ms,exchange_in_grain_steps,share_at_100_steps,share_at_50_steps"
-while read -r grains cells; do # the paper's grid at k = 1 and k = 2, and a million grains on cells of the same size
+while read -r grains cells; do # the paper's grid at k = 2 and k = 1, and a million grains on cells of the same size
     row=$(run "coupling of $grains" "$coupling" "$grains" $cells 7) || continue
     echo "$row" | tee -a "$results/coupling.csv"
 done <<<"34000 12 12 6

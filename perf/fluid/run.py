@@ -87,7 +87,7 @@ def main() -> None:
     options = parser.parse_args()
     threads = [int(word) for word in options.threads.split(",")]
     cells = [16, 32] if options.quick else [int(word) for word in options.cells.split(",")]
-    # The paper's grid at k = 1 and k = 2, and a million grains on cells of the same size.
+    # The paper's grid at k = 2 and k = 1, and a million grains on cells of the same size.
     cases = [(3375, (4, 4, 4))] if options.quick else [(34000, (12, 12, 6)), (270000, (12, 12, 6)), (1000000, (28, 28, 28))]
     info = measure.program_info(options.build / "apps/arenite")
     folder = measure.results_folder()
