@@ -224,17 +224,19 @@ struct LaneRecords {
     Lanes w;
 };
 
-// Of other widths the functions would not even parse: their vectors are of eight.
-#if defined(ARENITE_HOST_LANES) && defined(__AVX512F__) && __has_builtin(__builtin_shufflevector)
-#define ARENITE_EIGHT_LANES
-// Whole records are moved and turned in registers: 2 memory accesses and 3 shuffles for 8 numbers, where number by
-// number it takes 8 and 7.
+// A width is compiled for where it is the processor's: the other would not even parse.
+#if defined(ARENITE_HOST_LANES) && defined(__AVX__) && __has_builtin(__builtin_shufflevector)
+#define ARENITE_TURNS_IN_REGISTERS
+// Whole records are moved and turned in registers: with eight lanes 2 memory accesses and 3 shuffles for 8 numbers, where
+// number by number it takes 8 and 7; with four lanes 1 access and 2 shuffles for 4 numbers in place of 4 and 3.
 namespace lanes_detail {
+
+#ifdef __AVX512F__
 
 using Octet __attribute__((vector_size(64))) = Real;
 
 /// quad(n): lane n's record.
-template <class Quads> [[gnu::always_inline]] inline LaneRecords turn_eight(Quads const& quad)
+template <class Quads> [[gnu::always_inline]] inline LaneRecords turn(Quads const& quad)
 {
     Octet row[4]; // of lanes n and n + 4
     for (int n = 0; n < 4; ++n) row[n] = _mm512_insertf64x4(_mm512_castpd256_pd512(quad(n)), quad(n + 4), 1);
@@ -249,7 +251,7 @@ template <class Quads> [[gnu::always_inline]] inline LaneRecords turn_eight(Quad
 }
 
 /// Lane n's record to place(n).
-template <class Places> [[gnu::always_inline]] inline void store_eight(LaneRecords const& records, Places const& place)
+template <class Places> [[gnu::always_inline]] inline void store(LaneRecords const& records, Places const& place)
 {
     auto const x = static_cast<Octet>(records.xyz.x), y = static_cast<Octet>(records.xyz.y),
                z = static_cast<Octet>(records.xyz.z), w = static_cast<Octet>(records.w);
@@ -267,14 +269,51 @@ template <class Places> [[gnu::always_inline]] inline void store_eight(LaneRecor
     }
 }
 
+#else
+
+/// Numbers n of the four records, for n = 0 to 3; its own inverse.
+[[gnu::always_inline]] inline void transpose(Quad (&row)[4])
+{
+    Quad const xz01 = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6),
+               yw01 = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7),
+               xz23 = __builtin_shufflevector(row[2], row[3], 0, 4, 2, 6),
+               yw23 = __builtin_shufflevector(row[2], row[3], 1, 5, 3, 7);
+    row[0] = __builtin_shufflevector(xz01, xz23, 0, 1, 4, 5);
+    row[1] = __builtin_shufflevector(yw01, yw23, 0, 1, 4, 5);
+    row[2] = __builtin_shufflevector(xz01, xz23, 2, 3, 6, 7);
+    row[3] = __builtin_shufflevector(yw01, yw23, 2, 3, 6, 7);
+}
+
+/// quad(n): lane n's record.
+template <class Quads> [[gnu::always_inline]] inline LaneRecords turn(Quads const& quad)
+{
+    Quad row[4] = {quad(0), quad(1), quad(2), quad(3)};
+    transpose(row);
+    return {{Lanes(row[0]), Lanes(row[1]), Lanes(row[2])}, Lanes(row[3])};
+}
+
+/// Lane n's record to place(n).
+template <class Places> [[gnu::always_inline]] inline void store(LaneRecords const& records, Places const& place)
+{
+    Quad row[4] = {static_cast<Quad>(records.xyz.x), static_cast<Quad>(records.xyz.y), static_cast<Quad>(records.xyz.z),
+                   static_cast<Quad>(records.w)};
+    transpose(row);
+    store_record(row[0], place(0)); // in a loop, GCC 12 takes the records through memory
+    store_record(row[1], place(1));
+    store_record(row[2], place(2));
+    store_record(row[3], place(3));
+}
+
+#endif
+
 } // namespace lanes_detail
 #endif
 
 /// Record quad(n), a Quad, in lane n.
 template <class Quads> KOKKOS_FORCEINLINE_FUNCTION LaneRecords turned(Quads const& quad)
 {
-#ifdef ARENITE_EIGHT_LANES
-    return lanes_detail::turn_eight(quad);
+#ifdef ARENITE_TURNS_IN_REGISTERS
+    return lanes_detail::turn(quad);
 #else
     Quad quads[lane_count];
     for (int n = 0; n < lane_count; ++n) quads[n] = quad(n);
@@ -313,8 +352,8 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_differences(Real const* records, in
 /// Lane n's record to place(n).
 template <class Places> KOKKOS_FORCEINLINE_FUNCTION void store_records_at(LaneRecords const& records, Places const& place)
 {
-#ifdef ARENITE_EIGHT_LANES
-    lanes_detail::store_eight(records, place);
+#ifdef ARENITE_TURNS_IN_REGISTERS
+    lanes_detail::store(records, place);
 #else
     for (int n = 0; n < lane_count; ++n)
         store_record(Quad{lane(records.xyz.x, n), lane(records.xyz.y, n), lane(records.xyz.z, n), lane(records.w, n)},
