@@ -72,20 +72,21 @@ double multiply_add_rate()
 //   evaluate_contacts, a candidate:   first, second 8; touching 1; adhering 1 (JKR)
 //                      a contact:     scale 16, or 24 (JKR); spring 32 + 32; force 64; touching 1; adhering 1 (JKR)
 //                      a grain:       position, velocity, spin 96
-//   kick_and_drift,    a candidate:   incident 4 + 4; force 64 (rows that do not touch are read too)
-//                      a grain:       position, velocity, spin 2 x 96; reference position 32; motion 1; list ends 8
+//   kick_and_drift,    a gathered row: incident 4 + 4; force 64
+//                      a grain:       position, velocity, spin 2 x 96; reference position 32; motion 1; list ends 8; awake 1
 // Flops. An addition, product, quotient or root is one; a comparison, a selection or a change of sign none.
-//   a candidate:  offset 3, its square 5, reach 1; the gather on both sides 2 x 12
+//   a candidate:  offset 3, its square 5, reach 1; a gathered row: on both sides 2 x 12
 //   a contact:    distance, normal, overlap, arms 14; approach 3 and its normal part 5; turn of the normal 34; spins 23;
 //                 surface motion 36; twist 7; spring's transport 38; dashpot and sums 12; tangential spring and limits 41;
 //                 moment 9; Hertz 5, or JKR's curve 56 and its limit 2
 //   a grain:      weight 6, check 11, two half kicks 28, move 24
-StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_per_grain)
+StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_per_grain, double gathered_per_grain)
 {
     bool const jkr = law != NormalLaw::hertz;
     StepCost cost;
-    cost.bytes = candidates_per_grain * (9 + jkr + 72) + contacts_per_grain * (145 + 9 * jkr) + 96 + 233;
-    cost.flops = candidates_per_grain * 33 + contacts_per_grain * (222 + (jkr ? 58 : 5)) + 69;
+    cost.bytes =
+        candidates_per_grain * (9 + jkr) + gathered_per_grain * 72 + contacts_per_grain * (145 + 9 * jkr) + 96 + 234;
+    cost.flops = candidates_per_grain * 9 + gathered_per_grain * 24 + contacts_per_grain * (222 + (jkr ? 58 : 5)) + 69;
     return cost;
 }
 

@@ -21,6 +21,7 @@ struct StepCost {
 
 /// Counted by hand from the kernels' source (bench_limits.cpp says what is counted): compulsory traffic of the kernels
 /// evaluate_contacts and kick_and_drift, and useful arithmetic, history on, closed box, one material.
-StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_per_grain);
+/// gathered_per_grain: rows of forces that are gathered, those of the close candidates and of grains that are awake.
+StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_per_grain, double gathered_per_grain);
 
 } // namespace arenite

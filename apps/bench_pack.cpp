@@ -228,6 +228,21 @@ BenchPack relaxed_pack(BenchPack const& pack, BenchSettings const& settings, int
     return relaxed;
 }
 
+/// Rows of forces that a step gathers, each on two sides.
+double gathered_rows(ContactList const& contacts)
+{
+    ContactList const list = contacts;
+    int entries = 0;
+    Kokkos::parallel_reduce(
+        "gathered_rows", RangePolicy(0, list.grains()),
+        KOKKOS_LAMBDA(int i, int& sum) {
+            sum += list.incident_begin(i + 1) - list.incident_begin(i);
+            if (list.awake(i)) sum += list.incident_begin(list.grains() + i + 1) - list.incident_begin(list.grains() + i);
+        },
+        entries);
+    return 0.5 * entries;
+}
+
 BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
 {
     ViewMemory const memory;
@@ -244,6 +259,7 @@ BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
     run.seconds = seconds_between(begin, Clock_::now());
     run.steps = settings.steps;
     run.candidates_per_grain = static_cast<double>(state.contacts.count) / run.grains;
+    run.gathered_per_grain = gathered_rows(state.contacts) / run.grains;
     run.contacts_per_grain = static_cast<double>(prepared.forces.report().touching) / run.grains;
     run.state_hash = hash_state(state.particles);
     run.memory = memory.by_label();

@@ -7,6 +7,8 @@
 //
 // Pairs that touched or all but touched when the list was built (close_share of the skin) come first, by grain; then all
 // others, by grain. So the kernel seldom meets both kinds in one block, and blocks of the second kind cost next to nothing.
+// Likewise a grain gathers the others, in between by partner id, only once one of them has carried a force: until then its
+// sum is the same without their zeros.
 //
 // The first grain of a pair owns the row: the smaller of the two, of equal ones that with the lower id. That
 // depends on the two alone, so memory stays with its row whatever other grains come or leave. The normal
@@ -46,6 +48,7 @@ inline constexpr int incident_ahead = 32;
 
 struct ContactList {
     int count = 0; // pairs within the cutoff
+    int close = 0; // the first of them, which were close
     ContactNeeds needs;
     bool periodic = false;
 
@@ -59,14 +62,19 @@ struct ContactList {
     ContactColumns<4> spring;     // [contact](xi x, y, z m, previous a m); empty without history
     ForceRows force;              // [contact] N and m, no force and moment where not touching
 
-    View1<int> incident_begin; // [grain + 1]
+    View1<int> incident_begin; // [2 grain + 1] a grain's close contacts at i, its others at grains() + i
     View1<int> incident;       // [2 contact + incident_ahead] contact * 2 + (1 where the grain is second), by partner id
+    View1<std::uint8_t> incident_place; // [2 others] how many of the grain's close contacts have a partner of lower id
+    View1<std::uint8_t> awake;          // [grain] 1 once one of its others has carried a force, else 0
 
     RecordView reference_position; // [grain] where the grains were when the list was built
     Real skin = 0;                 // m: pairs closer than skin are listed
 
     KOKKOS_FUNCTION int grains() const { return row_begin.extent_int(0) / 2; }
 };
+
+/// A grain with more close contacts than incident_place can tell has all its contacts in the list of the close ones.
+inline constexpr int most_places = 255;
 
 /// Calls visit(contact) for the contacts that grain i owns.
 template <class Visit> KOKKOS_FUNCTION void for_each_owned(ContactList const& list, int i, Visit const& visit)

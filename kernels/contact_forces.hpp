@@ -107,6 +107,13 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         store(c, contact, force_of(contact, i, j, state), state, arm_i, arm_j);
     }
 
+    /// From now on the grains of the others that touch here gather all their contacts. Whoever writes, writes the same.
+    KOKKOS_FORCEINLINE_FUNCTION void wake_grains(int c) const
+    {
+        for (int n = c; n < c + lane_count; ++n)
+            if (n >= list.close && list.touching(n)) list.awake(list.first(n)) = list.awake(list.second(n)) = 1;
+    }
+
     KOKKOS_FORCEINLINE_FUNCTION Numbers force_of(ContactGeometry<Lanes> const& contact, int const* i, int const* j,
                                                  ContactState<Lanes>& state) const
     {
@@ -125,6 +132,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
                                            ContactState<Lanes> const& state, Lanes const& arm_i, Lanes const& arm_j) const
     {
         store_flags(state.touching, &list.touching(c));
+        if (c + lane_count > list.close) wake_grains(c);
         if constexpr (Law::adheres) store_flags(state.adhering, &list.adhering(c));
         if constexpr (Law::has_history) {
             for (int axis = 0; axis < 3; ++axis) store_lanes(state.spring[axis], &list.spring(c, axis));

@@ -35,7 +35,7 @@ struct BlockTurns {
     KOKKOS_FORCEINLINE_FUNCTION int begin(ContactList const& list, int k) const
     {
         if constexpr (!on_host) return k;
-        int const close = list.row_begin(list.grains()) / (length * lane_count), others = count - close;
+        int const close = list.close / (length * lane_count), others = count - close;
         long long const share = static_cast<long long>(k) * others;
         int const before = static_cast<int>(share / count); // turns of others among those before k
         return length * (share % count + others >= count ? close + before : k - before);

@@ -351,6 +351,14 @@ int count_pairs(PairFinder const& find, int grains, View1<int> const& row_begin)
     return total;
 }
 
+/// Contacts that were close when the list was built.
+int count_close(ContactList const& list)
+{
+    int close = 0;
+    Kokkos::deep_copy(close, Kokkos::subview(list.row_begin, list.grains()));
+    return close;
+}
+
 void fill_pairs(PairFinder const& find, int grains, ContactList const& contacts, View1<int> const& point_of_contact)
 {
     ContactList const list = contacts;
@@ -394,43 +402,65 @@ void set_scales(Particles const& particles, ContactList const& contacts)
         });
 }
 
-/// The exact row of each grain's contacts in the order of its partners' ids.
+/// The exact rows of each grain's contacts in the order of its partners' ids, with what the contacts remember of a force.
 void make_incidence(Particles const& particles, ContactList& contacts)
 {
     int const grains = particles.count;
-    contacts.incident_begin = View1<int>("incident_begin", grains + 1);
+    contacts.incident_begin = View1<int>(uninitialized("incident_begin"), 2 * grains + 1);
     contacts.incident = View1<int>("incident", 2 * contacts.count + incident_ahead);
+    contacts.incident_place = View1<std::uint8_t>(uninitialized("incident_place"), 2 * (contacts.count - contacts.close));
+    contacts.awake = View1<std::uint8_t>("contact_awake", grains);
     ContactList const list = contacts;
+    View1<int> const left("incident_left", 2 * grains); // still to be filled in; a grain's others at grains + i
     Kokkos::parallel_for(
-        "count_incident", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
-            Kokkos::atomic_inc(&list.incident_begin(list.first(c)));
-            Kokkos::atomic_inc(&list.incident_begin(list.second(c)));
+        "count_incident", RangePolicy(0, list.count), KOKKOS_LAMBDA(int c) {
+            int const rows = c < list.close ? 0 : grains;
+            Kokkos::atomic_inc(&left(rows + list.first(c)));
+            Kokkos::atomic_inc(&left(rows + list.second(c)));
+        });
+    Kokkos::parallel_for(
+        "join_incident", RangePolicy(0, grains), KOKKOS_LAMBDA(int i) {
+            if (left(i) <= most_places) return;
+            left(i) += left(grains + i);
+            left(grains + i) = 0;
         });
     Kokkos::parallel_scan(
-        "scan_incident", RangePolicy(0, grains + 1), KOKKOS_LAMBDA(int i, int& sum, bool last) {
-            int const count = list.incident_begin(i);
-            if (last) list.incident_begin(i) = sum;
-            sum += count;
+        "scan_incident", RangePolicy(0, 2 * grains + 1), KOKKOS_LAMBDA(int row, int& sum, bool last) {
+            if (last) list.incident_begin(row) = sum;
+            sum += row < 2 * grains ? left(row) : 0;
         });
-    View1<int> const cursor("incident_cursor", grains);
     Kokkos::parallel_for(
-        "fill_incident", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
-            int const i = list.first(c), j = list.second(c);
-            list.incident(list.incident_begin(i) + Kokkos::atomic_fetch_add(&cursor(i), 1)) = 2 * c;
-            list.incident(list.incident_begin(j) + Kokkos::atomic_fetch_add(&cursor(j), 1)) = 2 * c + 1;
+        "fill_incident", RangePolicy(0, list.count), KOKKOS_LAMBDA(int c) {
+            for (int side = 0; side < 2; ++side) {
+                int const i = side ? list.second(c) : list.first(c);
+                int row = c < list.close ? i : grains + i;
+                if (list.incident_begin(row) == list.incident_begin(row + 1)) row = i; // joined
+                list.incident(list.incident_begin(row) + Kokkos::atomic_fetch_sub(&left(row), 1) - 1) = 2 * c + side;
+                if (c >= list.close && list.touching(c)) list.awake(i) = 1;
+            }
         });
     View1<GrainId> const id = particles.id;
     Kokkos::parallel_for(
         "sort_incident", RangePolicy(0, grains), KOKKOS_LAMBDA(int i) {
             auto const partner = [&](int entry) { return id(entry & 1 ? list.first(entry / 2) : list.second(entry / 2)); };
-            int const begin = list.incident_begin(i), end = list.incident_begin(i + 1);
-            for (int k = begin + 1; k < end; ++k) {
-                int const entry = list.incident(k);
-                GrainId const key = partner(entry);
-                int slot = k;
-                for (; slot > begin && partner(list.incident(slot - 1)) > key; --slot)
-                    list.incident(slot) = list.incident(slot - 1);
-                list.incident(slot) = entry;
+            auto const sort = [&](int begin, int end) { // by insertion
+                for (int k = begin + 1; k < end; ++k) {
+                    int const entry = list.incident(k);
+                    GrainId const key = partner(entry);
+                    int slot = k;
+                    for (; slot > begin && partner(list.incident(slot - 1)) > key; --slot)
+                        list.incident(slot) = list.incident(slot - 1);
+                    list.incident(slot) = entry;
+                }
+            };
+            sort(list.incident_begin(i), list.incident_begin(i + 1));
+            int const begin = list.incident_begin(grains + i), end = list.incident_begin(grains + i + 1);
+            sort(begin, end);
+            int const close_begin = list.incident_begin(i), close_end = list.incident_begin(i + 1);
+            for (int k = begin, close = close_begin; k < end; ++k) {
+                GrainId const key = partner(list.incident(k));
+                while (close < close_end && partner(list.incident(close)) < key) ++close;
+                list.incident_place(k - list.incident_begin(grains)) = static_cast<std::uint8_t>(close - close_begin);
             }
         });
 }
@@ -503,20 +533,23 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     View1<int> const order = sort_grains(particles, box, settings);
     int const grains = particles.count;
     contacts.row_begin = View1<int>("contact_row_begin", 2 * grains + 1);
-    contacts.incident_begin = View1<int>("incident_begin", grains + 1);
     contacts.reference_position = RecordView("reference_position", grains);
-    if (grains == 0) return allocate_contacts(contacts);
+    if (grains == 0) {
+        allocate_contacts(contacts);
+        return make_incidence(particles, contacts);
+    }
     Bounds const bounds = near_box(find_bounds(particles.position, grains), box);
 
     PairFinder find{particles.position, particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin};
     find.grids = make_grids(find.points, bounds, skin);
     contacts.count = count_pairs(find, grains, contacts.row_begin);
+    contacts.close = count_close(contacts);
     allocate_contacts(contacts);
     View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);
     fill_pairs(find, grains, contacts, point_of_contact);
     set_scales(particles, contacts);
-    make_incidence(particles, contacts);
     if (old.count > 0) carry_memory(old, old_id, order, particles, contacts);
+    make_incidence(particles, contacts);
     Kokkos::deep_copy(contacts.reference_position,
                       Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
 }
@@ -524,6 +557,7 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
 void complete_list(Particles const& particles, ContactList& contacts)
 {
     ContactList const saved = contacts;
+    contacts.close = count_close(contacts);
     allocate_contacts(contacts); // with as many rows beyond the last contact as the kernels of this program want
     auto const rows = Kokkos::make_pair(0, contacts.count);
     auto const take = [&](auto const& from, auto const& to) {
@@ -570,11 +604,12 @@ void count_bonds(Particles const& particles, ContactList const& contacts, View1<
     Kokkos::parallel_for(
         "count_bonds", RangePolicy(0, particles.count), KOKKOS_LAMBDA(int i) {
             int bonded = 0, touching = 0;
-            for (int k = list.incident_begin(i); k < list.incident_begin(i + 1); ++k) {
-                int const c = list.incident(k) / 2;
-                touching += list.touching(c) ? 1 : 0;
-                if (list.needs.bonds) bonded += list.adhering(c) ? 1 : 0;
-            }
+            for (int row = i; row < 2 * list.grains(); row += list.grains())
+                for (int k = list.incident_begin(row); k < list.incident_begin(row + 1); ++k) {
+                    int const c = list.incident(k) / 2;
+                    touching += list.touching(c) ? 1 : 0;
+                    if (list.needs.bonds) bonded += list.adhering(c) ? 1 : 0;
+                }
             bonds(i) = bonded;
             coordination(i) = touching;
         });

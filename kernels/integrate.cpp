@@ -53,18 +53,31 @@ struct GrainStep {
         return contacts.force.data() + 4 * static_cast<std::ptrdiff_t>(entry);
     }
 
+    /// Of the grain's contacts that may carry a force, in the order of their partners' ids.
     KOKKOS_FORCEINLINE_FUNCTION void gather(int i, Quad& force, Quad& torque) const
     {
         Quad forces{}, torques{}; // in registers until the grain is done; their fourth number is no force
-        int const end = contacts.incident_begin(i + 1);
-        for (int k = contacts.incident_begin(i); k < end; ++k) {
-            prefetch(half_row(contacts.incident(k + incident_ahead)));
+        auto const add = [&](int entry) {
             // Without a branch: rows that do not touch are zero.
-            int const entry = contacts.incident(k), second = entry & 1;
+            int const second = entry & 1;
             Real const* const half = half_row(entry);
             Real const* const row = half - 4 * second;
             forces += negated_if(second, load_record(row));
             torques -= half[3] * load_record(row + 4); // (-arm n) x F on both sides
+        };
+        int const begin = contacts.incident_begin(i), end = contacts.incident_begin(i + 1);
+        int k = begin;
+        if (contacts.awake(i)) { // the others lie between the close ones
+            int const row = contacts.grains() + i, last = contacts.incident_begin(row + 1);
+            std::uint8_t const* const place = contacts.incident_place.data() - contacts.incident_begin(contacts.grains());
+            for (int other = contacts.incident_begin(row); other < last; ++other) {
+                for (int const until = begin + place[other]; k < until; ++k) add(contacts.incident(k));
+                add(contacts.incident(other));
+            }
+        }
+        for (; k < end; ++k) {
+            prefetch(half_row(contacts.incident(k + incident_ahead)));
+            add(contacts.incident(k));
         }
         if (has_walls)
             for (int k = walls.begin(i); k < walls.begin(i + 1); ++k) {

@@ -69,7 +69,7 @@ void contact_rows(Pack const& pack)
     Kokkos::parallel_for(
         "gather", RangePolicy(0, grains.count), KOKKOS_LAMBDA(int i) {
             Vec3 force, torque;
-            for (int k = list.incident_begin(i); k < list.incident_begin(i + 1); ++k) {
+            for (int k = list.incident_begin(i); k < list.incident_begin(i + 1); ++k) { // the pack rests: no grain is awake
                 int const entry = list.incident(k);
                 if (list.touching(entry >> 1)) add_row(list, entry >> 1, entry & 1, force, torque);
             }

@@ -194,11 +194,7 @@ std::vector<int> visits(int contacts, int close, int length)
 {
     ContactList list;
     list.count = contacts;
-    list.row_begin = View1<int>("row_begin", 3); // one grain
-    auto const begin = Kokkos::create_mirror_view(list.row_begin);
-    begin(1) = close;
-    begin(2) = contacts;
-    Kokkos::deep_copy(list.row_begin, begin);
+    list.close = close;
     BlockTurns const turns(list, length);
     View1<int> const count("visits", blocks_of(list));
     Kokkos::parallel_for(
@@ -208,6 +204,50 @@ std::vector<int> visits(int contacts, int close, int length)
         });
     auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), count);
     return {host.data(), host.data() + host.extent(0)};
+}
+
+/// A large grain, number `count`, and small ones all around it: every third has a gap, the others overlap with it.
+SystemSettings crowd(int count, Real gap)
+{
+    SystemSettings settings = rough_pair(first(), second());
+    settings.contact.normal = NormalLaw::hertz;
+    settings.grains = {make_grain(count, {0, 0, 0}, 2e-3)};
+    for (int n = 0; n < count; ++n) { // evenly, along a spiral
+        Real const z = 1 - (2 * n + 1) / Real(count), angle = 2.399963 * n, across = std::sqrt(1 - z * z);
+        Vec3 const direction{across * std::cos(angle), across * std::sin(angle), z};
+        Real const distance = 1.05e-3 + (n % 3 == 0 ? gap : -1e-6 * (1 + n % 7));
+        settings.grains.push_back(make_grain(n * 7 % count, distance * direction, 0.1e-3));
+    }
+    return settings;
+}
+
+Vec3 force_in_the_crowd(GrainSystem& system, int count)
+{
+    evaluate(system);
+    kick(system.integrator, {}, system.particles, system.contacts, {});
+    return force_on(system, count);
+}
+
+TEST(ContactForces, SumDoesNotTellWhatWasCloseWhenTheListWasBuilt)
+{
+    for (int const count : {20, 300, 500}) { // of 500, more are close than incident_place can tell
+        SystemSettings const apart = crowd(count, 5e-6), touching = crowd(count, -2e-6);
+        GrainSystem woken = make_system(apart), fresh = make_system(touching);
+        Vec3 const before = force_in_the_crowd(woken, count);
+        EXPECT_EQ(fresh.contacts.close, count);
+        EXPECT_EQ(woken.contacts.close, count - (count + 2) / 3);
+        for (Grain const& grain : touching.grains) place(woken, grain.id, grain.position, {}, {});
+        Vec3 const after = force_in_the_crowd(woken, count);
+        EXPECT_NE(after, before);
+        EXPECT_EQ(after, force_in_the_crowd(fresh, count)) << count;
+        EXPECT_EQ(woken.rebuilds, 1);
+        // A list whose others carry a force when it is built knows of it.
+        for (Grain const& grain : apart.grains) place(woken, grain.id, grain.position, {}, {});
+        rebuild(woken);
+        EXPECT_LT(woken.contacts.close, count);
+        kick(woken.integrator, {}, woken.particles, woken.contacts, {});
+        EXPECT_EQ(force_on(woken, count), after) << count;
+    }
 }
 
 TEST(ContactForces, TurnsVisitEveryBlockOnce)
