@@ -32,12 +32,22 @@ def cores() -> int:
     return len(os.sched_getaffinity(0))
 
 
+def vector_width() -> str:
+    """What an x86 processor without AVX-512 has; a virtual one may not tell more of its model than "AMD EPYC"."""
+    try:
+        flags = re.search(r"flags\s*: (.*)", Path("/proc/cpuinfo").read_text()).group(1).split()
+    except (OSError, AttributeError):
+        return ""
+    return "avx2" if "avx2" in flags and "avx512f" not in flags else ""
+
+
 def machine_name() -> str:
-    """Name of the machine's folder under perf/results: "AMD EPYC 9654 96-Core Processor" of 8 cores is epyc-9654-8core."""
+    """Name of the machine's folder under perf/results: "AMD EPYC 9654 96-Core Processor" of 8 cores is epyc-9654-8core, an
+    "AMD EPYC" of 2 cores without AVX-512 epyc-avx2-2core."""
     words = re.sub(r"\(.*?\)|@.*", " ", cpu_model()).lower().split()
     dull = {"amd", "intel", "cpu", "processor", "with"}
     kept = [word for word in words if word not in dull and not word.endswith("-core")]
-    return "-".join(kept[:3] + [f"{cores()}core"])
+    return "-".join(kept[:3] + [vector_width()] * bool(vector_width()) + [f"{cores()}core"])
 
 
 def results_folder() -> Path:
@@ -61,7 +71,7 @@ def this_command() -> str:
 def header(info: dict[str, str], *notes: str) -> list[str]:
     """What stands above a table: date, machine, commit and compiler (of `arenite info`), command, notes."""
     date = datetime.date.today().isoformat()
-    return [f"{date}; {cpu_model()}, {cores()} cores", f"commit {info['commit']}, {info['compiler']}",
+    return [f"{date}; {cpu_model()}, {cores()} cores{', AVX2' * bool(vector_width())}", f"commit {info['commit']}, {info['compiler']}",
             f"command: {this_command()}", *notes]
 
 

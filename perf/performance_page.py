@@ -200,6 +200,17 @@ def gpus(own: str) -> str:
     return "\n".join(parts) if parts else missing("perf/gpu.sh, where there is a GPU")
 
 
+def other_processors(own: str) -> str:
+    """Speed and growth on every other processor that perf/measure.sh left tables of."""
+    parts = []
+    for folder in sorted((measure.ROOT / "perf/results").iterdir()):
+        tables = Tables(folder)
+        if folder.name == own or not (tables.get("peers")[1] or tables.get("roofline")[1]):
+            continue
+        parts += [f"### {folder.name}\n", peers(tables), roofline(tables), growth(tables)]
+    return "\n".join(parts) if parts else "None was measured yet.\n"
+
+
 def is_decimal(text: str) -> bool:
     try:
         float(text)
@@ -259,7 +270,7 @@ def main() -> None:
     sections = [("Against peers", peers(tables)), ("Against the machine", roofline(tables)),
                 ("From cache to memory", growth(tables) + drawn.get("growth", "")),
                 ("Over threads and k", threads(tables, machine) + drawn.get("threads", "")), ("Memory", memory(tables)),
-                ("On a GPU", gpus(machine)), ("What a case costs", prediction(tables)), ("Other measurements", others(tables)),
+                ("On other processors", other_processors(machine)), ("On a GPU", gpus(machine)), ("What a case costs", prediction(tables)), ("Other measurements", others(tables)),
                 ("Tried, and did not pay", (measure.ROOT / "perf/did_not_pay.md").read_text())]
     page = HEAD.format(machine=machine) + "".join(f"\n## {title}\n\n{text}" for title, text in sections)
     PAGE.write_text(page)
