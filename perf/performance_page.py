@@ -208,6 +208,9 @@ def other_processors(own: str) -> str:
         if folder.name == own or not (tables.get("peers")[1] or tables.get("roofline")[1]):
             continue
         parts += [f"### {folder.name}\n", peers(tables), roofline(tables), growth(tables)]
+    if parts:
+        parts.insert(0, "A row is measured after the other: on a shared host a neighbour that comes or goes moves some of them "
+                        "(`roofline.csv` has the least and most of the repeats). Ratios to peers are taken within a round.\n")
     return "\n".join(parts) if parts else "None was measured yet.\n"
 
 
