@@ -64,27 +64,21 @@ struct LevelGrids {
 Bounds find_bounds(RecordView const& position, int count)
 {
     Bounds bounds;
-    Real low[3], high[3], smallest, largest;
-    for (int axis = 0; axis < 3; ++axis) {
-        Kokkos::parallel_reduce(
-            "find_bounds", RangePolicy(0, count),
-            KOKKOS_LAMBDA(int i, Real& least, Real& most) {
-                least = Kokkos::fmin(least, position(i, axis));
-                most = Kokkos::fmax(most, position(i, axis));
-            },
-            Kokkos::Min<Real>(low[axis]), Kokkos::Max<Real>(high[axis]));
-    }
+    Vec3 &lower = bounds.lower, &upper = bounds.upper;
+    using Least = Kokkos::Min<Real>;
+    using Most = Kokkos::Max<Real>;
     Kokkos::parallel_reduce(
-        "find_radii", RangePolicy(0, count),
-        KOKKOS_LAMBDA(int i, Real& least, Real& most) {
-            least = Kokkos::fmin(least, position(i, 3));
-            most = Kokkos::fmax(most, position(i, 3));
+        "find_bounds", RangePolicy(0, count),
+        KOKKOS_LAMBDA(int i, Real& x0, Real& x1, Real& y0, Real& y1, Real& z0, Real& z1, Real& r0, Real& r1) {
+            Real* const least[4] = {&x0, &y0, &z0, &r0};
+            Real* const most[4] = {&x1, &y1, &z1, &r1};
+            for (int n = 0; n < 4; ++n) {
+                *least[n] = Kokkos::min(*least[n], position(i, n));
+                *most[n] = Kokkos::max(*most[n], position(i, n));
+            }
         },
-        Kokkos::Min<Real>(smallest), Kokkos::Max<Real>(largest));
-    bounds.lower = {low[0], low[1], low[2]};
-    bounds.upper = {high[0], high[1], high[2]};
-    bounds.smallest = smallest;
-    bounds.largest = largest;
+        Least(lower.x), Most(upper.x), Least(lower.y), Most(upper.y), Least(lower.z), Most(upper.z), Least(bounds.smallest),
+        Most(bounds.largest));
     return bounds;
 }
 
