@@ -320,13 +320,25 @@ struct PairFinder {
     }
 };
 
-int count_pairs(PairFinder const& find, int grains, View1<int> const& row_begin)
+/// The first points that make a pair with a grain, point * 2 + (1 where close): most grains have no more, and need not be
+/// searched for a second time.
+using FoundPoints = Kokkos::View<int* [8], Kokkos::LayoutRight, MemorySpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+
+/// In memory that is needed for the records only later.
+FoundPoints found_points_in(RecordView const& records)
+{
+    static_assert(sizeof(int) * FoundPoints::static_extent(1) <= sizeof(Real) * RecordView::static_extent(1));
+    return FoundPoints(reinterpret_cast<int*>(records.data()), records.extent(0));
+}
+
+int count_pairs(PairFinder const& find, int grains, View1<int> const& row_begin, FoundPoints const& found)
 {
     Kokkos::parallel_for(
         "count_pairs", Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, grains),
         KOKKOS_LAMBDA(int i) {
             int all = 0, close = 0;
-            find(i, [&](int, int is_close) {
+            find(i, [&](int point, int is_close) {
+                if (all < found.extent_int(1)) found(i, all) = 2 * point + is_close;
                 ++all;
                 close += is_close;
             });
@@ -353,8 +365,10 @@ int count_close(ContactList const& list)
     return close;
 }
 
-void fill_pairs(PairFinder const& find, int grains, ContactList const& contacts, View1<int> const& point_of_contact)
+void fill_pairs(PairFinder const& find, FoundPoints const& found, ContactList const& contacts,
+                View1<int> const& point_of_contact)
 {
+    int const grains = contacts.grains();
     ContactList const list = contacts;
     View1<int> const row = find.points.row;
     View1<std::uint8_t> const image = find.points.image;
@@ -364,14 +378,19 @@ void fill_pairs(PairFinder const& find, int grains, ContactList const& contacts,
         KOKKOS_LAMBDA(int i) {
             int filled[2] = {list.row_begin(grains + i), list.row_begin(i)}; // of the others, of the close ones
             int const first[2] = {filled[0], filled[1]};
-            find(i, [&](int point, int close) { // insertion by partner id keeps the row sorted
+            auto const put = [&](int point, int close) { // insertion by partner id keeps the row sorted
                 int slot = filled[close]++;
                 while (slot > first[close] && id(point_of_contact(slot - 1)) > id(point)) {
                     point_of_contact(slot) = point_of_contact(slot - 1);
                     --slot;
                 }
                 point_of_contact(slot) = point;
-            });
+            };
+            int const pairs =
+                list.row_begin(i + 1) - list.row_begin(i) + list.row_begin(grains + i + 1) - list.row_begin(grains + i);
+            if (pairs > found.extent_int(1)) find(i, put);
+            else
+                for (int n = 0; n < pairs; ++n) put(found(i, n) / 2, found(i, n) % 2);
             for_each_owned(list, i, [&](int c) {
                 int const point = point_of_contact(c);
                 list.first(c) = i;
@@ -527,7 +546,7 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     View1<int> const order = sort_grains(particles, box, settings);
     int const grains = particles.count;
     contacts.row_begin = View1<int>("contact_row_begin", 2 * grains + 1);
-    contacts.reference_position = RecordView("reference_position", grains);
+    contacts.reference_position = RecordView(uninitialized("reference_position"), grains);
     if (grains == 0) {
         allocate_contacts(contacts);
         return make_incidence(particles, contacts);
@@ -536,11 +555,12 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
 
     PairFinder find{particles.position, particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin};
     find.grids = make_grids(find.points, bounds, skin);
-    contacts.count = count_pairs(find, grains, contacts.row_begin);
+    FoundPoints const found = found_points_in(contacts.reference_position);
+    contacts.count = count_pairs(find, grains, contacts.row_begin, found);
     contacts.close = count_close(contacts);
     allocate_contacts(contacts);
     View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);
-    fill_pairs(find, grains, contacts, point_of_contact);
+    fill_pairs(find, found, contacts, point_of_contact);
     set_scales(particles, contacts);
     if (old.count > 0) carry_memory(old, old_id, order, particles, contacts);
     make_incidence(particles, contacts);
