@@ -386,8 +386,7 @@ void fill_pairs(PairFinder const& find, FoundPoints const& found, ContactList co
                 }
                 point_of_contact(slot) = point;
             };
-            int const pairs =
-                list.row_begin(i + 1) - list.row_begin(i) + list.row_begin(grains + i + 1) - list.row_begin(grains + i);
+            int const pairs = list.row_begin(i + 1) - first[1] + list.row_begin(grains + i + 1) - first[0];
             if (pairs > found.extent_int(1)) find(i, put);
             else
                 for (int n = 0; n < pairs; ++n) put(found(i, n) / 2, found(i, n) % 2);

@@ -69,9 +69,10 @@ struct GrainStep {
         int k = begin;
         if (contacts.awake(i)) { // the others lie between the close ones
             int const row = contacts.grains() + i, last = contacts.incident_begin(row + 1);
-            std::uint8_t const* const place = contacts.incident_place.data() - contacts.incident_begin(contacts.grains());
+            int const first_place = contacts.incident_begin(contacts.grains());
             for (int other = contacts.incident_begin(row); other < last; ++other) {
-                for (int const until = begin + place[other]; k < until; ++k) add(contacts.incident(k));
+                int const until = begin + contacts.incident_place(other - first_place);
+                for (; k < until; ++k) add(contacts.incident(k));
                 add(contacts.incident(other));
             }
         }

@@ -47,7 +47,7 @@ def machine_name() -> str:
     words = re.sub(r"\(.*?\)|@.*", " ", cpu_model()).lower().split()
     dull = {"amd", "intel", "cpu", "processor", "with"}
     kept = [word for word in words if word not in dull and not word.endswith("-core")]
-    return "-".join(kept[:3] + [vector_width()] * bool(vector_width()) + [f"{cores()}core"])
+    return "-".join(filter(None, [*kept[:3], vector_width(), f"{cores()}core"]))
 
 
 def results_folder() -> Path:
@@ -71,7 +71,8 @@ def this_command() -> str:
 def header(info: dict[str, str], *notes: str) -> list[str]:
     """What stands above a table: date, machine, commit and compiler (of `arenite info`), command, notes."""
     date = datetime.date.today().isoformat()
-    return [f"{date}; {cpu_model()}, {cores()} cores{', AVX2' * bool(vector_width())}", f"commit {info['commit']}, {info['compiler']}",
+    machine = ", ".join(filter(None, [cpu_model(), f"{cores()} cores", vector_width().upper()]))
+    return [f"{date}; {machine}", f"commit {info['commit']}, {info['compiler']}",
             f"command: {this_command()}", *notes]
 
 

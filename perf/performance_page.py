@@ -273,7 +273,8 @@ def main() -> None:
     sections = [("Against peers", peers(tables)), ("Against the machine", roofline(tables)),
                 ("From cache to memory", growth(tables) + drawn.get("growth", "")),
                 ("Over threads and k", threads(tables, machine) + drawn.get("threads", "")), ("Memory", memory(tables)),
-                ("On other processors", other_processors(machine)), ("On a GPU", gpus(machine)), ("What a case costs", prediction(tables)), ("Other measurements", others(tables)),
+                ("On other processors", other_processors(machine)), ("On a GPU", gpus(machine)),
+                ("What a case costs", prediction(tables)), ("Other measurements", others(tables)),
                 ("Tried, and did not pay", (measure.ROOT / "perf/did_not_pay.md").read_text())]
     page = HEAD.format(machine=machine) + "".join(f"\n## {title}\n\n{text}" for title, text in sections)
     PAGE.write_text(page)
