@@ -90,8 +90,6 @@ KOKKOS_FUNCTION inline WallProximity rim_proximity(AxialPosition const& p, Vec3 
     return {normal, near_distance, true};
 }
 
-KOKKOS_FUNCTION inline WallProximity plane(Vec3 const& normal, Vec3 const& x) { return {normal, dot(normal, x), true}; }
-
 /// A thin plate with open holes: the nearest point of {plane minus open discs}. side is kept outside the discs
 /// (0: not known yet) and taken anew inside them.
 template <class Holes>
@@ -166,16 +164,6 @@ KOKKOS_FUNCTION inline WallProximity solid_box(Vec3 const& half, Vec3 const& x)
     }
     Real const distance = norm(offset);
     return {offset / distance, distance, true};
-}
-
-/// Face 0..5 (x lower, x upper, y lower, ...) of a box that the grains are inside of.
-KOKKOS_FUNCTION inline WallProximity box_face(Vec3 const& half, int face, Vec3 const& x)
-{
-    int const axis = face / 2;
-    Real const inward = face % 2 == 0 ? Real(1) : Real(-1);
-    Vec3 normal;
-    normal[axis] = inward;
-    return {normal, inward * x[axis] + half[axis], true};
 }
 
 } // namespace wall_geometry

@@ -127,25 +127,48 @@ Real surface_motion(Walls const& walls, int wall, std::function<Vec3(Vec3 const&
 std::map<std::string, std::vector<Real>> save_walls(Walls const& walls);
 void restore_walls(Walls& walls, std::map<std::string, std::vector<Real>> const& arrays);
 
+/// An element whose side and normal are the same for every grain. In the world's frame.
+struct FlatFace {
+    Vec3 normal;    // unit, towards the grains
+    Real level = 0; // m: a point x is at the distance level + dot(normal, x - pose.position)
+};
+
+/// Whether all elements of the wall are flat faces: a plane that had no open holes, the inside of a box.
+KOKKOS_FUNCTION inline bool has_flat_faces(WallBody const& body)
+{
+    return body.shape == WallShape::plane ? !body.two_sided : body.shape == WallShape::box && body.inside;
+}
+
+/// Element of such a wall. Those of a box: x lower, x upper, y lower, ...
+KOKKOS_FUNCTION inline FlatFace flat_face(WallBody const& body, int element)
+{
+    if (body.shape == WallShape::plane) return {body.pose.direction_to_world(body.axis), 0};
+    int const face = element - body.first_element, axis = face / 2;
+    Vec3 normal;
+    normal[axis] = face % 2 == 0 ? Real(1) : Real(-1);
+    return {body.pose.direction_to_world(normal), body.half[axis]};
+}
+
 /// Nearest point of an element to a world point. side: see wall_geometry.hpp. The normal is in the world's frame.
 KOKKOS_FUNCTION inline WallProximity wall_proximity(WallViews const& views, WallBody const& body, int element, Vec3 const& x,
                                                     Real grain_radius, Real& side)
 {
+    if (has_flat_faces(body)) {
+        FlatFace const face = flat_face(body, element);
+        return {face.normal, face.level + dot(face.normal, x - body.pose.position), true};
+    }
     Vec3 const local = body.pose.to_local(x);
     WallProximity p;
     switch (body.shape) {
     case WallShape::plane:
-        p = body.two_sided
-                ? wall_geometry::plate(body.axis, views.hole, body.first_hole, body.holes, local, grain_radius, side)
-                : wall_geometry::plane(body.axis, local);
+        p = wall_geometry::plate(body.axis, views.hole, body.first_hole, body.holes, local, grain_radius, side);
         break;
     case WallShape::cylinder:
         p = body.inside ? wall_geometry::tube(body.axis, body.length, body.radius, local, grain_radius, side)
                         : wall_geometry::rod(body.axis, body.length, body.radius, local);
         break;
     case WallShape::box:
-        p = body.inside ? wall_geometry::box_face(body.half, element - body.first_element, local)
-                        : wall_geometry::solid_box(body.half, local);
+        p = wall_geometry::solid_box(body.half, local);
         break;
     case WallShape::mesh:
         p = wall_geometry::mesh_triangle(views.mesh, body.first_triangle + element - body.first_element, local, grain_radius,

@@ -10,10 +10,21 @@
 
 namespace arenite {
 
-/// Rows that go on touching, lane_count of them at a time, with what of their walls the law needs.
-struct WallContactBatch {
-    int count = 0;
+/// The rows in the lanes.
+struct WallContactLanes {
     int row[lane_count], grain[lane_count], pair[lane_count]; // pair: of materials
+};
+
+/// Their walls as the law needs them.
+struct WallSurface {
+    Vector<Lanes> normal;         // unit, towards the grain
+    Lanes distance;               // m, of the grain's centre
+    Vector<Lanes> velocity, spin; // at the contact, m/s; rad/s
+};
+
+/// Rows that go on touching a wall that is not flat, until there are lane_count of them.
+struct WallContactBatch : WallContactLanes {
+    int count = 0;
     Real normal[3][lane_count], distance[lane_count];
     Real wall_velocity[3][lane_count], wall_spin[3][lane_count]; // at the contact, m/s; rad/s
 
@@ -44,13 +55,16 @@ struct WallContactBatch {
     }
 };
 
+KOKKOS_FORCEINLINE_FUNCTION Vector<Lanes> in_all_lanes(Vec3 const& v) { return {v.x, v.y, v.z}; }
+
 KOKKOS_FORCEINLINE_FUNCTION Vector<Lanes> load_vectors(Real const (&columns)[3][lane_count])
 {
     return {load_lanes(columns[0]), load_lanes(columns[1]), load_lanes(columns[2])};
 }
 
 /// The rows of some grains on their walls. Those of one grain on one wall, a group, are done together because on a mesh the
-/// spring moves from facet to facet with the rolling or sliding grain.
+/// spring moves from facet to facet with the rolling or sliding grain. The rows of flat faces, which most are, need no such
+/// care and go through the lanes as they come.
 template <class Law> struct WallContactEvaluation {
     Law law;
     WallContactRows list;
@@ -70,14 +84,81 @@ template <class Law> struct WallContactEvaluation {
         if (gate.closed()) return;
         int const end = Kokkos::min((block + 1) * groups_at_once, list.groups);
         WallContactBatch batch;
-        for (int g = block * groups_at_once; g < end; ++g) visit_group(list.group(g), list.group(g + 1), batch);
+        for (int g = block * groups_at_once; g < end;) {
+            int const wall = wall_of_group(g);
+            WallBody const& body = walls.body(wall);
+            int const begin = g++;
+            while (g < end && wall_of_group(g) == wall) ++g;
+            if (has_flat_faces(body)) visit_flat(list.group(begin), list.group(g), body);
+            else
+                for (int k = begin; k < g; ++k) visit_group(list.group(k), list.group(k + 1), body, batch);
+        }
         if (batch.count > 0) evaluate(batch);
     }
 
-    /// Rows first .. last - 1. Those that go on touching wait in the batch until it is full.
-    KOKKOS_FUNCTION void visit_group(int first, int last, WallContactBatch& batch) const
+    KOKKOS_FUNCTION int wall_of_group(int g) const { return walls.wall_of_element(list.element(list.group(g))); }
+
+    /// Rows first .. last - 1 of a wall of flat faces, lane_count of them at a time, touching or not.
+    KOKKOS_FORCEINLINE_FUNCTION void visit_flat(int first, int last, WallBody const& body) const
     {
-        WallBody const& body = walls.body(walls.wall_of_element(list.element(first)));
+        Numbers const origin = in_all_lanes(body.pose.position), moves = in_all_lanes(body.pose.velocity);
+        WallSurface wall;
+        wall.spin = in_all_lanes(body.pose.angular_velocity);
+        for (int c = first; c < last; c += lane_count) {
+            WallContactLanes at;
+            bool touched = false;
+            for (int n = 0; n < lane_count; ++n) { // the last row again in the lanes that are left
+                at.row[n] = Kokkos::min(c + n, last - 1);
+                at.grain[n] = list.grain(at.row[n]);
+                touched = touched || list.touching(at.row[n]) != no;
+            }
+            Lanes level;
+            find_faces(at, body, wall.normal, level);
+            LaneRecords const grains = load_records(position.data(), at.grain);
+            Numbers const from_origin = grains.xyz - origin;
+            wall.distance = level + dot(wall.normal, from_origin);
+            LaneMask touches = wall.distance < grains.w;
+            if constexpr (Law::adheres) touches = touches || adhering(at);
+            if (!touched && !any(touches)) continue;
+            wall.velocity = moves + cross(wall.spin, from_origin - wall.distance * wall.normal);
+            // Which code a row takes depends on its wall and the stage, not on the rows beside it.
+            if (law.pairs.shared >= 0) {
+                int const grains_material = law.pairs.shared / law.pairs.materials;
+                for (int n = 0; n < lane_count; ++n) at.pair[n] = law.pairs.index(grains_material, body.material);
+                evaluate<false>(at, grains.w, wall);
+            } else {
+                for (int n = 0; n < lane_count; ++n) at.pair[n] = law.pairs.index(material(at.grain[n]), body.material);
+                evaluate_several(at, grains.w, wall);
+            }
+        }
+    }
+
+    /// Normal and level [m] of the rows' faces, which are seldom different ones.
+    KOKKOS_FORCEINLINE_FUNCTION void find_faces(WallContactLanes const& at, WallBody const& body, Numbers& normal,
+                                                Lanes& level) const
+    {
+        FlatFace const face = flat_face(body, list.element(at.row[0]));
+        normal = in_all_lanes(face.normal);
+        level = face.level;
+        if constexpr (lane_count > 1) {
+            bool one = true;
+            for (int n = 1; n < lane_count; ++n) one = one && list.element(at.row[n]) == list.element(at.row[0]);
+            if (one) return;
+            FlatFace faces[lane_count];
+            for (int n = 0; n < lane_count; ++n) faces[n] = flat_face(body, list.element(at.row[n]));
+            for (int axis = 0; axis < 3; ++axis) normal[axis] = make_lanes([&](int n) { return faces[n].normal[axis]; });
+            level = make_lanes([&](int n) { return faces[n].level; });
+        }
+    }
+
+    KOKKOS_FUNCTION LaneMask adhering(WallContactLanes const& at) const
+    {
+        return make_lanes([&](int n) { return Real(list.adhering(at.row[n])); }) > Lanes(0);
+    }
+
+    /// Rows first .. last - 1. Those that go on touching wait in the batch until it is full.
+    KOKKOS_FUNCTION void visit_group(int first, int last, WallBody const& body, WallContactBatch& batch) const
+    {
         int begun = 0, done = 0;
         for (int c = first; c < last; ++c) {
             bool touches = false;
@@ -146,26 +227,38 @@ template <class Law> struct WallContactEvaluation {
     KOKKOS_FUNCTION void evaluate(WallContactBatch& batch) const
     {
         batch.fill();
-        LaneRecords const at = load_records(position.data(), batch.grain),
-                          moving = load_records(velocity.data(), batch.grain),
-                          turning = load_records(spin.data(), batch.grain);
-        Lanes const radius = at.w, distance = load_lanes(batch.distance);
+        evaluate_several(batch, load_records(position.data(), batch.grain).w,
+                         {load_vectors(batch.normal), load_lanes(batch.distance), load_vectors(batch.wall_velocity),
+                          load_vectors(batch.wall_spin)});
+    }
+
+    KOKKOS_FUNCTION void evaluate_several(WallContactLanes const& at, Lanes const& radius, WallSurface const& wall) const
+    {
+        evaluate<true>(at, radius, wall);
+    }
+
+    /// radius [m]: of the grains. several: the lanes may hold different pairs of materials. A row that does not touch any
+    /// more is left with its normal alone.
+    template <bool several>
+    KOKKOS_FORCEINLINE_FUNCTION void evaluate(WallContactLanes const& at, Lanes const& radius, WallSurface const& wall) const
+    {
+        LaneRecords const moving = load_records(velocity.data(), at.grain), turning = load_records(spin.data(), at.grain);
         ContactGeometry<Lanes> contact;
-        contact.normal = load_vectors(batch.normal);
-        contact.overlap = radius - distance;
-        contact.motion = surface_motion(
-            moving.xyz - distance * cross(turning.xyz, contact.normal) - load_vectors(batch.wall_velocity), contact.normal);
+        contact.normal = wall.normal;
+        contact.overlap = radius - wall.distance;
+        contact.motion =
+            surface_motion(moving.xyz - wall.distance * cross(turning.xyz, contact.normal) - wall.velocity, contact.normal);
         contact.scale = {radius, moving.w, 0};
         ContactState<Lanes> state;
         if constexpr (Law::adheres) {
             contact.scale.cube_root_of_radius = make_lanes([&](int n) { return Kokkos::cbrt(lane(radius, n)); });
-            state.adhering = make_lanes([&](int n) { return Real(list.adhering(batch.row[n])); }) > Lanes(0);
+            state.adhering = adhering(at);
         }
-        LaneRecords const before = load_records(list.normal.data(), batch.row); // the normal of the last step, and the side
+        LaneRecords const before = load_records(list.normal.data(), at.row); // the normal of the last step, and the side
         if constexpr (Law::has_history) {
-            LaneRecords const spring = load_records(list.spring.data(), batch.row);
+            LaneRecords const spring = load_records(list.spring.data(), at.row);
             state.previous_radius = spring.w;
-            Lanes const twist = Real(0.5) * dt * dot(turning.xyz + load_vectors(batch.wall_spin), contact.normal);
+            Lanes const twist = Real(0.5) * dt * dot(turning.xyz + wall.spin, contact.normal);
             // Without a spring there may have been no normal before.
             LaneMask const stretched = dot(spring.xyz, spring.xyz) > Lanes(0);
             ContactTurn<Lanes> const turn = contact_turn(before.xyz, contact.normal);
@@ -174,30 +267,37 @@ template <class Law> struct WallContactEvaluation {
         Numbers force;
         Lanes stiffness = 0; // S_n = 2 E* a, Hertz
         Lanes const hertz_radius = square_root(radius * larger(contact.overlap, Lanes(0)));
-        ContactState<Lanes> const entering = state;
-        for_each_material_pair(law.pairs, batch.pair, [&](PairConstants const& pair, LaneMask const& same) {
-            ContactState<Lanes> after = entering;
-            force = select(same, law(contact, pair, after, dt), force);
-            stiffness = select(same, 2 * pair.effective_youngs_modulus * hertz_radius, stiffness);
-            state = select(same, after, state);
-        });
-        store(batch, {contact.normal, before.w}, force, distance, stiffness, state);
+        if constexpr (several) {
+            ContactState<Lanes> const entering = state;
+            for_each_material_pair(law.pairs, at.pair, [&](PairConstants const& pair, LaneMask const& same) {
+                ContactState<Lanes> after = entering;
+                force = select(same, law(contact, pair, after, dt), force);
+                stiffness = select(same, 2 * pair.effective_youngs_modulus * hertz_radius, stiffness);
+                state = select(same, after, state);
+            });
+        } else {
+            PairConstants const& pair = law.pairs(at.pair[0]);
+            force = law(contact, pair, state, dt);
+            stiffness = 2 * pair.effective_youngs_modulus * hertz_radius;
+        }
+        store(at, {contact.normal, before.w}, force, wall.distance, stiffness, state);
     }
 
     /// A row that has come apart keeps nothing but its normal.
-    KOKKOS_FUNCTION void store(WallContactBatch const& batch, LaneRecords const& normal, Numbers const& force,
-                               Lanes const& distance, Lanes const& stiffness, ContactState<Lanes> const& state) const
+    KOKKOS_FORCEINLINE_FUNCTION void store(WallContactLanes const& at, LaneRecords const& normal, Numbers const& force,
+                                           Lanes const& distance, Lanes const& stiffness,
+                                           ContactState<Lanes> const& state) const
     {
         Lanes const touching = select(state.touching, Lanes(1), Lanes(0)),
                     adhering = select(state.adhering, Lanes(1), Lanes(0));
         for (int n = 0; n < lane_count; ++n) {
-            list.touching(batch.row[n]) = lane(touching, n) > 0 ? yes : no;
-            if constexpr (Law::adheres) list.adhering(batch.row[n]) = lane(touching, n) > 0 && lane(adhering, n) > 0;
+            list.touching(at.row[n]) = lane(touching, n) > 0 ? yes : no;
+            if constexpr (Law::adheres) list.adhering(at.row[n]) = lane(touching, n) > 0 && lane(adhering, n) > 0;
         }
-        store_records(normal, list.normal.data(), batch.row);
-        if constexpr (Law::has_history) store_records({state.spring, state.previous_radius}, list.spring.data(), batch.row);
+        store_records(normal, list.normal.data(), at.row);
+        if constexpr (Law::has_history) store_records({state.spring, state.previous_radius}, list.spring.data(), at.row);
         auto const half = [&](int n, int which) {
-            return list.force.data() + 8 * static_cast<std::ptrdiff_t>(batch.row[n]) + 4 * which;
+            return list.force.data() + 8 * static_cast<std::ptrdiff_t>(at.row[n]) + 4 * which;
         };
         store_records_at({force, select(state.touching, distance, Lanes(0))}, [&](int n) { return half(n, 0); });
         store_records_at({cross(normal.xyz, force), select(state.touching, stiffness, Lanes(0))},
