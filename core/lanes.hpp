@@ -16,7 +16,7 @@
 #define ARENITE_HOST_LANES
 #include <cstring>
 #include <experimental/simd>
-#ifdef __AVX512F__
+#ifdef __AVX__
 #include <immintrin.h>
 #endif
 #endif
@@ -62,8 +62,8 @@ KOKKOS_FORCEINLINE_FUNCTION LaneMask select(LaneMask const& mask, LaneMask const
 }
 KOKKOS_FORCEINLINE_FUNCTION bool any(LaneMask const& mask) { return any_of(mask); }
 KOKKOS_FORCEINLINE_FUNCTION bool all(LaneMask const& mask) { return all_of(mask); }
-#ifdef __AVX512F__
 // One instruction with the same answer, also for NaN; compilers see two in the comparison and the choice.
+#if defined(__AVX512F__)
 KOKKOS_FORCEINLINE_FUNCTION Lanes larger(Lanes const& a, Lanes const& b)
 {
     return Lanes(_mm512_max_pd(static_cast<__m512d>(a), static_cast<__m512d>(b)));
@@ -71,6 +71,15 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes larger(Lanes const& a, Lanes const& b)
 KOKKOS_FORCEINLINE_FUNCTION Lanes smaller(Lanes const& a, Lanes const& b)
 {
     return Lanes(_mm512_min_pd(static_cast<__m512d>(a), static_cast<__m512d>(b)));
+}
+#elif defined(__AVX__)
+KOKKOS_FORCEINLINE_FUNCTION Lanes larger(Lanes const& a, Lanes const& b)
+{
+    return Lanes(_mm256_max_pd(static_cast<__m256d>(a), static_cast<__m256d>(b)));
+}
+KOKKOS_FORCEINLINE_FUNCTION Lanes smaller(Lanes const& a, Lanes const& b)
+{
+    return Lanes(_mm256_min_pd(static_cast<__m256d>(a), static_cast<__m256d>(b)));
 }
 #else
 KOKKOS_FORCEINLINE_FUNCTION Lanes larger(Lanes const& a, Lanes const& b) { return select(a > b, a, b); }
