@@ -56,7 +56,8 @@ struct ContactList {
     View1<int> first;          // [contact] rows of the two grains
     View1<int> second;         // [contact + second_ahead]
     View1<std::uint8_t> image; // [contact] image code of second; empty in a closed box
-    ContactColumns<3> scale;   // [contact](R* m, m* kg, R*^(1/3) m^(1/3))
+    ContactColumns<2> scale;   // [contact](R* m, m* kg)
+    View1<Real> cube_root;     // [contact] R*^(1/3) m^(1/3); empty without bonds
     View1<std::uint8_t> touching; // [contact] carried a force at the last evaluation
     View1<std::uint8_t> adhering; // [contact] follows the JKR curve; empty without bonds
     ContactColumns<4> spring;     // [contact](xi x, y, z m, previous a m); empty without history

@@ -85,8 +85,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         Numbers approach = load_differences(velocity.data(), i, j, -1).xyz;
         // The grains of a deforming box ride on its homogeneous flow, which their velocities do not hold.
         if constexpr (kind == BoxKind::deforming) approach += box.stretch_velocity(offset);
-        contact.scale = {load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), 0};
-        if constexpr (Law::adheres) contact.scale.cube_root_of_radius = load_lanes(&list.scale(c, 2));
+        contact.scale = load_scale<Law::adheres>(list, c);
 
         if constexpr (Law::has_history) {
             Numbers const spring{load_lanes(&list.spring(c, 0)), load_lanes(&list.spring(c, 1)),

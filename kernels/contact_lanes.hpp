@@ -5,6 +5,7 @@
 #include "core/contact_list.hpp"
 #include "core/lanes.hpp"
 #include "core/material.hpp"
+#include "kernels/contact/normal_response.hpp"
 
 #include <algorithm>
 
@@ -54,6 +55,14 @@ template <class... Records> KOKKOS_FORCEINLINE_FUNCTION void ask_for_later(int c
     if constexpr (lane_count > 1)
         for (int n = second_ahead - lane_count; n < second_ahead; ++n)
             (prefetch(of.data() + 4 * static_cast<std::ptrdiff_t>(second[n])), ...);
+}
+
+/// Sizes of contacts c .. c + lane_count - 1. Without bonds no law asks for the cube root, and the list has none.
+template <bool bonds> KOKKOS_FORCEINLINE_FUNCTION ContactScale<Lanes> load_scale(ContactList const& list, int c)
+{
+    ContactScale<Lanes> scale{load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), 0};
+    if constexpr (bonds) scale.cube_root_of_radius = load_lanes(&list.cube_root(c));
+    return scale;
 }
 
 /// Of the second grains' images, m; contacts c .. c + lane_count - 1 of a list in a periodic box.

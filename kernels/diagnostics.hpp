@@ -11,6 +11,12 @@
 
 namespace arenite {
 
+/// Sizes of a contact, as the list keeps them.
+KOKKOS_FUNCTION inline ContactScale<> scale_of(ContactList const& list, int c)
+{
+    return {list.scale(c, 0), list.scale(c, 1), list.needs.bonds ? list.cube_root(c) : Real(0)};
+}
+
 struct GrainReport {
     Real translation = 0, rotation = 0; // kinetic energy, J
     Real mass = 0;                      // kg
@@ -87,7 +93,7 @@ template <class Law> struct ContactTerms {
         Real const overlap = position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, c));
         v.overlap = overlap;
         PairConstants const pair = pairs(material(i), material(j));
-        ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
+        ContactScale<> const scale = scale_of(list, c);
         Real radius = Kokkos::sqrt(scale.effective_radius * Kokkos::fmax(overlap, Real(0)));
         v.overlap_ratio = overlap / Kokkos::fmin(position(i, 3), position(j, 3));
         if constexpr (Law::adheres) v.adhering = list.adhering(c);

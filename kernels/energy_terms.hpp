@@ -127,8 +127,7 @@ template <class Law> struct PairPower {
         Lanes const turning = -dot(moment.xyz, force.w * records_of(spin, i).xyz + moment.w * records_of(spin, j).xyz);
         contact.total = dot(contact.force, contact.velocity) + turning;
 
-        ContactScale<Lanes> const scale{load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)),
-                                        load_lanes(&list.scale(c, 2))};
+        ContactScale<Lanes> const scale = load_scale<Law::adheres>(list, c);
         LaneMask adheres(false);
         if constexpr (Law::adheres) adheres = load_flags(&list.adhering(c));
         SplitPower<Lanes> const split = split_power(contact, scale, i, j, adheres);
@@ -163,8 +162,7 @@ template <class Law> struct PairPower {
             if (adhered(n) == list.adhering(n)) continue;
             int const i = list.first(n), j = list.second(n);
             Real const overlap = position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, n));
-            sum += adhesion_jump(adhered(n), list.adhering(n), overlap,
-                                 {list.scale(n, 0), list.scale(n, 1), list.scale(n, 2)}, pairs(material(i), material(j)));
+            sum += adhesion_jump(adhered(n), list.adhering(n), overlap, scale_of(list, n), pairs(material(i), material(j)));
         }
         return sum;
     }
@@ -221,8 +219,7 @@ template <class Law> struct PairEnergy {
         if (!v.touching) return {{0, 0, 0}};
         ContactList const& list = contacts.list;
         PairConstants const& pair = contacts.pairs(contacts.material(list.first(c)), contacts.material(list.second(c)));
-        ContactScale<> const scale{list.scale(c, 0), list.scale(c, 1), list.scale(c, 2)};
-        StoredEnergy const energy = stored_energy(v.overlap, v.adhering, scale, pair);
+        StoredEnergy const energy = stored_energy(v.overlap, v.adhering, scale_of(list, c), pair);
         return {{energy.elastic, energy.adhesive, v.tangential}};
     }
 };

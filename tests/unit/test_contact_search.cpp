@@ -213,6 +213,27 @@ TEST(ContactSearch, ForgetsThePairsOfAGrainThatLeaves)
     for (std::size_t c = 0; c < before.size(); ++c) EXPECT_TRUE(same(before[c], after[c])) << c;
 }
 
+// What a law does not ask for takes no memory; what it asks for is of the right size.
+TEST(ContactSearch, ListsHoldWhatTheLawNeeds)
+{
+    GrainSystem system = dense_system();
+    for (bool const history : {false, true})
+        for (bool const bonds : {false, true}) {
+            search_contacts(system.particles, system.settings.box, {system.settings.skin, {history, bonds}, {}},
+                            system.contacts);
+            ContactList const& list = system.contacts;
+            std::size_t const rows = list.first.extent(0);
+            ASSERT_GE(rows, static_cast<std::size_t>(list.count));
+            EXPECT_EQ(list.spring.extent(0), history ? rows : 0);
+            EXPECT_EQ(list.adhering.extent(0), bonds ? rows : 0);
+            EXPECT_EQ(list.cube_root.extent(0), bonds ? rows : 0);
+            if (!bonds) continue;
+            auto const scale = Kokkos::create_mirror_view_and_copy(HostSpace(), list.scale);
+            auto const root = Kokkos::create_mirror_view_and_copy(HostSpace(), list.cube_root);
+            for (int c = 0; c < list.count; ++c) EXPECT_DOUBLE_EQ(root(c), std::cbrt(scale(c, 0))) << c;
+        }
+}
+
 TEST(ContactSearch, BondsAndCoordinationAreCounted)
 {
     std::vector<Grain> grains;
