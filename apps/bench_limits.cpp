@@ -36,7 +36,8 @@ struct Copy {
 };
 
 struct MultiplyAdd {
-    static constexpr int chains = 16, rounds = 2000; // enough chains to hide the latency of each
+    // Enough chains to hide the latency of each, few enough for 16 registers.
+    static constexpr int chains = 12, rounds = 2000;
     View1<Real> result;
 
     KOKKOS_FUNCTION void operator()(int i) const
