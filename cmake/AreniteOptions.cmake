@@ -45,7 +45,9 @@ list(JOIN arenite_host_flags "," arenite_flags_through_nvcc)
 # the step is for, so nothing has to round alike elsewhere, and it is bound by the length of its chains of multiplies and
 # adds (12 % of its time).
 function(arenite_fuse_multiply_add)
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast>")
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_OPTIONS "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast>"
+    SKIP_PRECOMPILE_HEADERS ON) # those were read under other flags
 endfunction()
 
 add_library(arenite_flags INTERFACE)

@@ -19,10 +19,11 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$source_dir"
 
-# flags_of FOLDER: the options of the folder's first compile command, without its input and outputs.
+# flags_of FOLDER: the options of the folder's first compile command, without its input and outputs, and without the
+# precompiled headers, which would hide what a header lacks.
 flags_of() {
     local pattern="^ *\"command\": \"\(.*\) -o [^ ]* -c [\\\\\"]*$source_dir/$1/.*"
-    sed -n "\|$pattern|{s|$pattern|\1|;s|\\\\\"|\"|g;p;q}" "$commands"
+    sed -n "\|$pattern|{s|$pattern|\1|;s|\\\\\"|\"|g;s| -include [^ ]*cmake_pch\.hxx||g;p;q}" "$commands"
 }
 
 for folder in core kernels fluid io apps; do

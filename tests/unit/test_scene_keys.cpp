@@ -216,7 +216,7 @@ TEST(SceneKeys, AMisspelledWordNamesTheRightOne)
                 expect(misspelled(word), "must be one of " + scene::join(choice->names) + "; did you mean " + word + "?");
         if (auto const* list = std::get_if<scene::WordList>(&key.field.target))
             for (std::string const& word : list->allowed)
-                expect(misspelled(word), "\"" + misspelled(word) + "\" is not known; did you mean " + word + "?");
+                expect(misspelled(word), fmt::format("\"{}\" is not known; did you mean {}?", misspelled(word), word));
     }
     EXPECT_GT(words, 60);
 }

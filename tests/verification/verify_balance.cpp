@@ -30,7 +30,7 @@ std::vector<Row> run_as_it_is(std::string const& scene, std::vector<std::string>
 
 std::vector<Row> run(std::string const& scene, std::vector<std::string> overrides)
 {
-    overrides.push_back("output.energies=true");
+    overrides.emplace_back("output.energies=true");
     return run_as_it_is(scene, std::move(overrides));
 }
 
