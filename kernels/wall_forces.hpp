@@ -43,15 +43,15 @@ struct WallContactBatch : WallContactLanes {
     /// Names the last row again in the lanes that are left: they compute and store the same.
     KOKKOS_FUNCTION void fill()
     {
-        if constexpr (lane_count == 1) return;
-        for (int n = count; n < lane_count; ++n) {
-            row[n] = row[n - 1], grain[n] = grain[n - 1], pair[n] = pair[n - 1], distance[n] = distance[n - 1];
-            for (int axis = 0; axis < 3; ++axis) {
-                normal[axis][n] = normal[axis][n - 1];
-                wall_velocity[axis][n] = wall_velocity[axis][n - 1];
-                wall_spin[axis][n] = wall_spin[axis][n - 1];
+        if constexpr (lane_count > 1)
+            for (int n = count; n < lane_count; ++n) {
+                row[n] = row[n - 1], grain[n] = grain[n - 1], pair[n] = pair[n - 1], distance[n] = distance[n - 1];
+                for (int axis = 0; axis < 3; ++axis) {
+                    normal[axis][n] = normal[axis][n - 1];
+                    wall_velocity[axis][n] = wall_velocity[axis][n - 1];
+                    wall_spin[axis][n] = wall_spin[axis][n - 1];
+                }
             }
-        }
     }
 };
 
