@@ -71,7 +71,7 @@ double multiply_add_rate()
 // Bytes. What a kernel must read or write once if nothing but what it works on at the moment stays in the cache; a
 // grain's record is counted once a kernel, however many of its contacts read it.
 //   evaluate_contacts, a candidate:   first, second 8; touching 1; adhering 1 (JKR)
-//                      a contact:     scale 16, or 24 (JKR); spring 32 + 32; force 64; touching 1; adhering 1 (JKR)
+//                      a contact:     scale 16, or 24 (JKR); spring 24 + 24; force 64; touching 1; adhering 1 (JKR)
 //                      a grain:       position, velocity, spin 96
 //   kick_and_drift,    a gathered row: incident 4 + 4; force 64
 //                      a grain:       position, velocity, spin 2 x 96; reference position 32; motion 1; list ends 8; awake 1
@@ -86,7 +86,7 @@ StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_p
     bool const jkr = law != NormalLaw::hertz;
     StepCost cost;
     cost.bytes =
-        candidates_per_grain * (9 + jkr) + gathered_per_grain * 72 + contacts_per_grain * (145 + 9 * jkr) + 96 + 234;
+        candidates_per_grain * (9 + jkr) + gathered_per_grain * 72 + contacts_per_grain * (129 + 9 * jkr) + 96 + 234;
     cost.flops = candidates_per_grain * 9 + gathered_per_grain * 24 + contacts_per_grain * (222 + (jkr ? 58 : 5)) + 69;
     return cost;
 }

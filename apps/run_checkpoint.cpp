@@ -59,6 +59,7 @@ template <class State, class Function> void for_each_array(State& state, Functio
     f("contacts/touching", state.contacts.touching);
     f("contacts/adhering", state.contacts.adhering);
     f("contacts/spring", state.contacts.spring);
+    f("contacts/contact_radius", state.contacts.contact_radius);
     f("contacts/force", state.contacts.force);
 }
 
@@ -270,7 +271,8 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
     state.groups = load_groups(in, scene.groups.size());
     state.contacts.count = in.value<int>("contacts/count");
     state.contacts.periodic = state.box.any_periodic();
-    state.contacts.needs = {state.contacts.spring.is_allocated(), state.contacts.adhering.is_allocated()};
+    state.contacts.needs = {state.contacts.spring.is_allocated(), state.contacts.adhering.is_allocated(),
+                            state.contacts.contact_radius.is_allocated()};
     restore_walls(state.walls, load_named(in, "walls/"));
     state.wall_contacts = restore_wall_contacts(load_named(in, "wall_contacts/"));
     if (in.value<int>("fluid/present")) {

@@ -8,8 +8,6 @@
 namespace arenite {
 namespace {
 
-template <class Law> ContactNeeds needs_of(Law const&) { return {Law::has_history, Law::adheres}; }
-
 template <class Law> auto pair_terms(Law const& law, RunState& state, View1<std::uint8_t> const& adhered)
 {
     Particles const& p = state.particles;
@@ -74,8 +72,8 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
                         wall_law = make_contact_law(planned.wall_pairs);
 
     StageForces forces;
-    forces.needs = std::visit([](auto const& l) { return needs_of(l); }, law);
-    forces.wall_needs = std::visit([](auto const& l) { return needs_of(l); }, wall_law);
+    forces.needs = contact_needs(law, pairs);
+    forces.wall_needs = contact_needs(wall_law, planned.wall_pairs);
     std::function<void(Real)> const on_grains = std::visit(
         [&state](auto const& l) -> std::function<void(Real)> {
             return [&state, l](Real dt) {

@@ -22,8 +22,9 @@ namespace arenite {
 
 /// What a contact law wants remembered; what it does not want is not allocated.
 struct ContactNeeds {
-    bool history = false; // a tangential spring
-    bool bonds = false;   // adhering contacts
+    bool history = false;        // a tangential spring
+    bool bonds = false;          // adhering contacts
+    bool contact_radius = false; // of the last step, which some tangential laws compare with
 };
 
 /// One row of forces is 64 bytes: force on first (x, y, z), arm of first; normal x force (x, y, z), arm of second.
@@ -60,7 +61,8 @@ struct ContactList {
     View1<Real> cube_root;     // [contact] R*^(1/3) m^(1/3); empty without bonds
     View1<std::uint8_t> touching; // [contact] carried a force at the last evaluation
     View1<std::uint8_t> adhering; // [contact] follows the JKR curve; empty without bonds
-    ContactColumns<4> spring;     // [contact](xi x, y, z m, previous a m); empty without history
+    ContactColumns<3> spring;     // [contact](xi x, y, z m); empty without history
+    View1<Real> contact_radius;   // [contact] a at the last evaluation, m; empty unless needed
     ForceRows force;              // [contact] N and m, no force and moment where not touching
 
     View1<int> incident_begin; // [2 grain + 1] a grain's close contacts at i, its others at grains() + i

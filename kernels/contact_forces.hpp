@@ -2,7 +2,7 @@
 // Forces between grains: each pair is evaluated once, under a law that was chosen outside the step, lane_count
 // pairs at a time.
 //
-// Traffic of a touching pair (JKR with history): 192 B of grains (mostly from cache), 24 B scale, 2 x 32 B
+// Traffic of a touching pair (JKR with history): 192 B of grains (mostly from cache), 24 B scale, 2 x 24 B
 // spring, 64 B force, 10 B of indices and flags. A block of pairs that are only near reads 2 positions and 2 flags a pair.
 #pragma once
 
@@ -62,7 +62,8 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         if (!any(load_flags(&list.touching(c)))) return;
         store_flags(LaneMask(false), &list.touching(c));
         if constexpr (Law::has_history)
-            for (int k = 0; k < 4; ++k) store_lanes(Lanes(0), &list.spring(c, k));
+            for (int k = 0; k < 3; ++k) store_lanes(Lanes(0), &list.spring(c, k));
+        if (list.needs.contact_radius) store_lanes(Lanes(0), &list.contact_radius(c));
         for (int n = 0; n < lane_count; ++n)
             for (int k = 0; k < 8; ++k) list.force(c + n, k) = 0;
     }
@@ -90,7 +91,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         if constexpr (Law::has_history) {
             Numbers const spring{load_lanes(&list.spring(c, 0)), load_lanes(&list.spring(c, 1)),
                                  load_lanes(&list.spring(c, 2))};
-            state.previous_radius = load_lanes(&list.spring(c, 3));
+            if (list.needs.contact_radius) state.previous_radius = load_lanes(&list.contact_radius(c));
             Lanes const normal_velocity = dot(approach, contact.normal);
             ContactTurn<Lanes> const turn =
                 straight_turn(offset, distance, inverse, contact.normal, approach, normal_velocity, dt);
@@ -135,7 +136,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         if constexpr (Law::adheres) store_flags(state.adhering, &list.adhering(c));
         if constexpr (Law::has_history) {
             for (int axis = 0; axis < 3; ++axis) store_lanes(state.spring[axis], &list.spring(c, axis));
-            store_lanes(state.previous_radius, &list.spring(c, 3));
+            if (list.needs.contact_radius) store_lanes(state.previous_radius, &list.contact_radius(c));
         }
         Numbers const moment = cross(contact.normal, force);
         Real* const rows = list.force.data() + 8 * static_cast<std::ptrdiff_t>(c);

@@ -484,6 +484,7 @@ void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<in
     ContactList const list = contacts;
     View1<GrainId> const id = particles.id;
     bool const had_history = old.needs.history, had_bonds = old.needs.bonds;
+    bool const keeps_radius = contacts.needs.contact_radius && old.needs.contact_radius;
     Kokkos::parallel_for(
         "carry_memory", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
             int const old_row = sorted_from(list.first(c));
@@ -494,7 +495,8 @@ void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<in
                 for (int n = 0; n < 8; ++n) list.force(c, n) = old.force(k, n);
                 if (list.needs.bonds && had_bonds) list.adhering(c) = old.adhering(k);
                 if (list.needs.history && had_history)
-                    for (int n = 0; n < 4; ++n) list.spring(c, n) = old.spring(k, n);
+                    for (int n = 0; n < 3; ++n) list.spring(c, n) = old.spring(k, n);
+                if (keeps_radius) list.contact_radius(c) = old.contact_radius(k);
             });
         });
 }
@@ -509,7 +511,8 @@ void allocate_contacts(ContactList& contacts)
     if (contacts.needs.bonds) contacts.cube_root = View1<Real>(uninitialized("contact_cube_root"), n);
     contacts.touching = View1<std::uint8_t>("contact_touching", n);
     if (contacts.needs.bonds) contacts.adhering = View1<std::uint8_t>("contact_adhering", n);
-    if (contacts.needs.history) contacts.spring = ContactColumns<4>("contact_spring", n);
+    if (contacts.needs.history) contacts.spring = ContactColumns<3>("contact_spring", n);
+    if (contacts.needs.contact_radius) contacts.contact_radius = View1<Real>("contact_radius", n);
     contacts.force = ForceRows("contact_force", n);
     auto const rest = Kokkos::make_pair(contacts.count, n);
     Kokkos::deep_copy(Kokkos::subview(contacts.first, rest), 0);
@@ -586,6 +589,7 @@ void complete_list(Particles const& particles, ContactList& contacts)
     take(saved.touching, contacts.touching);
     take(saved.adhering, contacts.adhering);
     take(saved.spring, contacts.spring);
+    take(saved.contact_radius, contacts.contact_radius);
     take(saved.force, contacts.force);
     ContactList const list = contacts;
     Kokkos::parallel_for(

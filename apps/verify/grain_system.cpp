@@ -41,16 +41,9 @@ void deform_box(GrainSystem& system)
 
 void rebuild(GrainSystem& system)
 {
-    ContactNeeds needs;
-    std::visit(
-        [&](auto const& law) {
-            needs.history = std::decay_t<decltype(law)>::has_history;
-            needs.bonds = std::decay_t<decltype(law)>::adheres;
-        },
-        system.law);
     SearchSettings search;
     search.skin = system.settings.skin;
-    search.needs = needs;
+    search.needs = contact_needs(system.law, system.pairs);
     search_contacts(system.particles, system.settings.box, search, system.contacts);
     ++system.rebuilds;
 }
@@ -168,7 +161,7 @@ std::vector<ListedPair> listed_pairs(GrainSystem const& system)
         ListedPair& pair = pairs[c];
         pair = {id(first(c)), id(second(c)), list.periodic ? image(c) : PeriodicBox::no_image, {}, touching(c), 0};
         if (list.needs.bonds) pair.adhering = adhering(c);
-        for (int n = 0; n < 4 && list.needs.history; ++n) pair.spring[n] = spring(c, n);
+        for (int n = 0; n < 3 && list.needs.history; ++n) pair.spring[n] = spring(c, n);
     }
     std::sort(pairs.begin(), pairs.end(), [](ListedPair const& a, ListedPair const& b) {
         return std::tie(a.first, a.second) < std::tie(b.first, b.second);

@@ -80,7 +80,7 @@ std::uint64_t state_hash(GrainSystem const& system);
 struct ListedPair {
     GrainId first, second;
     int image;
-    Real spring[4];
+    Real spring[3];
     int touching, adhering;
 };
 std::vector<ListedPair> listed_pairs(GrainSystem const& system); // by (first, second)

@@ -4,6 +4,7 @@
 // materials, so a stage that mixes dry and cemented pairs runs the adhesive law with dry rows in its table.
 #pragma once
 
+#include "core/contact_list.hpp"
 #include "kernels/contact/contact_law.hpp"
 
 #include <algorithm>
@@ -29,6 +30,20 @@ inline AnyContactLaw make_contact_law(std::vector<PairConstants> const& pairs, i
     if (adhesive) return SmoothCementedSand{table};
     if (rough) return DrySand{table};
     return SmoothSand{table};
+}
+
+/// What the law wants remembered of its contacts. A law that did not keep the contact radius in an earlier stage begins
+/// with contacts whose radius is not known: their springs follow it from their second step on.
+inline ContactNeeds contact_needs(AnyContactLaw const& law, std::vector<PairConstants> const& pairs)
+{
+    return std::visit(
+        [&](auto const& chosen) {
+            using Law = std::decay_t<decltype(chosen)>;
+            bool const follows =
+                std::any_of(pairs.begin(), pairs.end(), [](auto const& p) { return p.tangential != TangentialLaw::secant; });
+            return ContactNeeds{Law::has_history, Law::adheres, Law::has_history && follows};
+        },
+        law);
 }
 
 } // namespace arenite

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstring>
 #include <limits>
+#include <map>
 
 namespace arenite {
 namespace {
@@ -219,12 +220,14 @@ TEST(ContactSearch, ListsHoldWhatTheLawNeeds)
     GrainSystem system = dense_system();
     for (bool const history : {false, true})
         for (bool const bonds : {false, true}) {
-            search_contacts(system.particles, system.settings.box, {system.settings.skin, {history, bonds}, {}},
+            bool const radius = history && !bonds;
+            search_contacts(system.particles, system.settings.box, {system.settings.skin, {history, bonds, radius}, {}},
                             system.contacts);
             ContactList const& list = system.contacts;
             std::size_t const rows = list.first.extent(0);
             ASSERT_GE(rows, static_cast<std::size_t>(list.count));
             EXPECT_EQ(list.spring.extent(0), history ? rows : 0);
+            EXPECT_EQ(list.contact_radius.extent(0), radius ? rows : 0);
             EXPECT_EQ(list.adhering.extent(0), bonds ? rows : 0);
             EXPECT_EQ(list.cube_root.extent(0), bonds ? rows : 0);
             if (!bonds) continue;
@@ -232,6 +235,32 @@ TEST(ContactSearch, ListsHoldWhatTheLawNeeds)
             auto const root = Kokkos::create_mirror_view_and_copy(HostSpace(), list.cube_root);
             for (int c = 0; c < list.count; ++c) EXPECT_DOUBLE_EQ(root(c), std::cbrt(scale(c, 0))) << c;
         }
+}
+
+TEST(ContactSearch, CarriesTheContactRadiusWhereBothListsHaveOne)
+{
+    GrainSystem system = dense_system();
+    auto const search = [&](bool radius) {
+        search_contacts(system.particles, system.settings.box, {system.settings.skin, {true, true, radius}, {}},
+                        system.contacts);
+    };
+    auto const radii = [&] { // of the contacts that touched, and of those that did not
+        auto const radius = Kokkos::create_mirror_view_and_copy(HostSpace(), system.contacts.contact_radius);
+        auto const touching = Kokkos::create_mirror_view_and_copy(HostSpace(), system.contacts.touching);
+        std::map<Real, int> count[2];
+        for (int c = 0; c < system.contacts.count; ++c) ++count[touching(c)][radius(c)];
+        return std::pair(count[1], count[0]);
+    };
+    search(true);
+    EXPECT_EQ(radii().first.size(), 1u);
+    EXPECT_EQ(radii().first.count(0), 1u) << "the list before had none";
+    Kokkos::deep_copy(system.contacts.contact_radius, 2e-6);
+    system.settings.skin *= 1.7; // more pairs that do not touch
+    search(true);
+    auto const [touching, others] = radii();
+    EXPECT_EQ(touching.size(), 1u);
+    EXPECT_EQ(touching.count(2e-6), 1u);
+    EXPECT_EQ(others.count(0), 1u);
 }
 
 TEST(ContactSearch, BondsAndCoordinationAreCounted)
