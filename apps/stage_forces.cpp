@@ -68,8 +68,8 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
     std::vector<PairConstants> pairs = planned.pairs;
     if (friction >= 0)
         for (PairConstants& pair : pairs) pair.friction = friction;
-    AnyContactLaw const law = make_contact_law(pairs, shared_material(state.particles)),
-                        wall_law = make_contact_law(planned.wall_pairs);
+    int const material = shared_material(state.particles);
+    AnyContactLaw const law = make_contact_law(pairs, material), wall_law = make_contact_law(planned.wall_pairs, material);
 
     StageForces forces;
     forces.needs = contact_needs(law, pairs);
