@@ -6,6 +6,7 @@
 // ranks, neighbours.
 #pragma once
 
+#include "core/types.hpp"
 #include "core/vec3.hpp"
 
 #include <string>

@@ -4,7 +4,7 @@
 // s = a / (pi gamma R*^2/E*)^(1/3): overlap = s^2 - 2 sqrt(s), force = 4/3 s^3 - 4 s^(3/2).
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 
 namespace arenite::jkr_points {
 

@@ -4,19 +4,12 @@
 // sorted for locality; a grain is known by its id, never by its row.
 #pragma once
 
+#include "core/grain.hpp"
 #include "core/types.hpp"
-#include "core/vec3.hpp"
 
 #include <vector>
 
 namespace arenite {
-
-/// How a grain moves.
-enum class Motion : std::uint8_t {
-    free = 0,
-    held = 1,       // neither moves nor turns, feels and exerts forces
-    prescribed = 2, // keeps its velocity and spin whatever the forces
-};
 
 struct Particles {
     int count = 0;  // owned grains
@@ -39,19 +32,6 @@ struct Particles {
     RecordView pressure_force; // [grain](Fx, Fy, Fz, -), N: the part of it that is not drag; empty unless a balance is kept
 
     int rows() const { return count + ghosts; }
-};
-
-/// One grain on the host, as a size distribution or a CSV file makes it.
-struct Grain {
-    Vec3 position;     // m
-    Real diameter = 0; // m
-    Vec3 velocity;     // m/s
-    Vec3 spin;         // rad/s
-    int material = 0;  // row of the material table
-    int size_class = 0;
-    GrainId id = -1; // -1: numbered in order
-    Motion motion = Motion::free;
-    Vec3 applied_force; // N
 };
 
 /// Uploads grains; mass and inertia follow from the diameter and densities[material] [kg/m3].

@@ -4,7 +4,7 @@
 // applied once per key.
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 
 namespace arenite {
 

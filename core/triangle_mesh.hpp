@@ -5,6 +5,7 @@
 // A uniform grid over the triangles finds the near ones.
 #pragma once
 
+#include "core/types.hpp"
 #include "core/vec3.hpp"
 
 #include <string>

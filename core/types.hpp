@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The scalar type, the Kokkos spaces and the View aliases that everything else is written in.
+// The Kokkos spaces and the View aliases that everything that computes is written in.
 // This is the only file that names a Kokkos space.
 #pragma once
+
+#include "core/real.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <Kokkos_Profiling_ScopedRegion.hpp>
 
-#include <cstdint>
 #include <string>
 
 namespace arenite {
-
-using Real = double; // positions need it: a float ULP at 18 mm is 2 % of a JKR pull-off overlap
 
 using ExecutionSpace = Kokkos::DefaultExecutionSpace;
 using MemorySpace = ExecutionSpace::memory_space;
@@ -53,7 +52,5 @@ KOKKOS_FORCEINLINE_FUNCTION void prefetch([[maybe_unused]] void const* address)
 {
     KOKKOS_IF_ON_HOST((__builtin_prefetch(address);))
 }
-
-using GrainId = std::int64_t; // global, never reused: contacts, bonds and random numbers are keyed by it
 
 } // namespace arenite

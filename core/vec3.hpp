@@ -2,7 +2,7 @@
 // A three-vector for host and device code.
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 
 namespace arenite {
 

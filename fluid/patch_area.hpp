@@ -3,7 +3,7 @@
 // whatever the grid: the shares of all faces sum to pi d^2 / 4 by telescoping.
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 
 namespace arenite {
 

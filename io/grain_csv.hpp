@@ -4,7 +4,7 @@
 // constant force) [N], material (name), id, class and held (0 or 1) may be there.
 #pragma once
 
-#include "core/particles.hpp"
+#include "core/grain.hpp"
 
 #include <istream>
 #include <string>

@@ -2,7 +2,7 @@
 // The line that shows how far a run is: at most once a second, and only on a terminal.
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 
 #include <functional>
 #include <iosfwd>

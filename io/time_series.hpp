@@ -3,7 +3,7 @@
 // resume, and so is every row past the checkpoint that the run goes on from.
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 #include "io/atomic_file.hpp"
 
 #include <chrono>

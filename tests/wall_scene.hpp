@@ -4,9 +4,9 @@
 
 #include "core/wall_motion.hpp"
 #include "kernels/contact/contact_laws.hpp"
-#include "kernels/contact_forces.hpp"
 #include "kernels/contact_search.hpp"
-#include "kernels/wall_forces.hpp"
+#include "kernels/integrate.hpp"
+#include "kernels/wall_contacts.hpp"
 #include "kernels/wall_reactions.hpp"
 
 #include <algorithm>
@@ -100,15 +100,7 @@ struct WallScene {
         evaluate();
     }
 
-    void evaluate()
-    {
-        std::visit(
-            [&](auto const& chosen) {
-                evaluate_contacts(chosen, particles, box, contacts, settings.dt);
-                evaluate_wall_contacts(chosen, particles, walls, wall_contacts, settings.dt);
-            },
-            law);
-    }
+    void evaluate();
 
     void step()
     {

@@ -2,7 +2,7 @@
 // Anderson mixing (Anderson, J. ACM 12, 1965, 547): the fixed point of a map in fewer evaluations than by repeating it.
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 
 #include <deque>
 #include <vector>

@@ -2,7 +2,7 @@
 // The lid-driven cavity of unit size, density and lid speed: a run and its centre lines.
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 // returns its rows and one entry in that list.
 #pragma once
 
-#include "core/types.hpp"
+#include "core/real.hpp"
 
 #include <string>
 #include <vector>

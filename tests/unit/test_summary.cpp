@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/types.hpp"
 #include "io/atomic_file.hpp"
 #include "io/build_info.hpp"
 #include "io/progress.hpp"

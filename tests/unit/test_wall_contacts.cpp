@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "wall_scene.hpp"
+#include "tests/wall_scene.hpp"
 
 #include "core/to_device.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A servo-controlled plate on a column of grains and on a random pack (validation D15): it settles at the target within
 // 0.1 %, the force does not overshoot by 2 %, and it does not swing.
-#include "wall_scene.hpp"
+#include "tests/wall_scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Grains on walls, against statics and mechanics of the rolling sphere.
-#include "wall_scene.hpp"
+#include "tests/wall_scene.hpp"
 
 #include <gtest/gtest.h>
 
