@@ -54,7 +54,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
             active = active || state.adhering;
         }
         if (!any(active)) return clear(c);
-        evaluate(c, i, j, offset, square_root(square), reach, state);
+        evaluate(c, i, j, offset, square, reach, state);
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void clear(int c) const
@@ -68,21 +68,21 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
             for (int k = 0; k < 8; ++k) list.force(c + n, k) = 0;
     }
 
-    KOKKOS_FORCEINLINE_FUNCTION void evaluate(int c, int const* i, int const* j, Numbers const& offset,
-                                              Lanes const& distance, Lanes const& reach, ContactState<Lanes>& state) const
+    /// offset: from the second centres to the first, with its square; reach: the sums of the radii.
+    KOKKOS_FORCEINLINE_FUNCTION void evaluate(int c, int const* i, int const* j, Numbers const& offset, Lanes const& square,
+                                              Lanes const& reach, ContactState<Lanes>& state) const
     {
         ContactGeometry<Lanes> contact;
         // Concentric grains have no line of centres: they part along z.
-        LaneMask const apart = distance > Lanes(0);
-        Lanes const inverse = select(apart, 1 / distance, Lanes(0));
+        Lanes const distance = square_root(square), inverse_square = 1 / larger(square, Lanes(1e-60)),
+                    inverse = inverse_square * distance;
         contact.normal = inverse * offset;
-        contact.normal.z = select(apart, contact.normal.z, Lanes(1));
+        contact.normal.z = select(square > Lanes(0), contact.normal.z, Lanes(1));
         contact.overlap = reach - distance;
-        // Arms to the plane of contact; they add up to the distance. A grain wholly inside another has no such
-        // plane: its arm stays its radius.
-        Lanes const difference = reach - 2 * records_of(position, j).w; // of the radii
-        Lanes const lead = smaller(larger(difference * reach * inverse, -reach), reach);
-        Lanes const arm_i = Real(0.5) * (distance + lead), arm_j = Real(0.5) * (distance - lead);
+        // What the first grain's arm to the plane of contact is of the distance; the arms add up to that. A grain wholly
+        // inside another (the first, which is the smaller) has no such plane: its arm stays its radius.
+        Lanes const half_difference = Real(0.5) * reach - records_of(position, j).w; // of the radii
+        Lanes const share_i = Real(0.5) + reach * larger(half_difference * inverse_square, Real(-0.5) * inverse);
         Numbers approach = load_differences(velocity.data(), i, j, -1).xyz;
         // The grains of a deforming box ride on its homogeneous flow, which their velocities do not hold.
         if constexpr (kind == BoxKind::deforming) approach += box.stretch_velocity(offset);
@@ -92,18 +92,15 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
             Numbers const spring{load_lanes(&list.spring(c, 0)), load_lanes(&list.spring(c, 1)),
                                  load_lanes(&list.spring(c, 2))};
             if (list.needs.contact_radius) state.previous_radius = load_lanes(&list.contact_radius(c));
-            Lanes const normal_velocity = dot(approach, contact.normal);
-            ContactTurn<Lanes> const turn =
-                straight_turn(offset, distance, inverse, contact.normal, approach, normal_velocity, dt);
+            StraightTurn<Lanes> const step = straight_turn(offset, inverse_square, approach, dt);
             Numbers const spin_i = records_of(spin, i).xyz, spin_j = records_of(spin, j).xyz, spin_sum = spin_i + spin_j;
-            Lanes const factor = cayley_factor(spin_sum, dt);
-            Numbers const half_arm_spin = (Real(0.5) * factor) * (arm_i * spin_i + arm_j * spin_j);
-            contact.motion = surface_motion(approach, normal_velocity, half_arm_spin, turn, contact.normal);
-            Lanes const twist = Real(0.25) * dt * factor * dot(spin_sum, turn.sum);
-            state.spring = transport_spring(spring, turn, contact.normal, twist);
+            Lanes const counted = step.twice_cosine * (Real(0.5) * cayley_factor(spin_sum, dt));
+            contact.motion = {step.parting * inverse, slip_over(step, share_i * spin_i + (1 - share_i) * spin_j, counted)};
+            state.spring = transport_spring(spring, step.turn, Real(0.5) * dt * counted * dot(spin_sum, step.turn.mean));
         } else {
             contact.motion = surface_motion(approach, contact.normal);
         }
+        Lanes const arm_i = share_i * distance, arm_j = distance - arm_i;
         store(c, contact, force_of(contact, i, j, state), state, arm_i, arm_j);
     }
 

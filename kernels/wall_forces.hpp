@@ -261,8 +261,8 @@ template <class Law> struct WallContactEvaluation {
             Lanes const twist = Real(0.5) * dt * dot(turning.xyz + wall.spin, contact.normal);
             // Without a spring there may have been no normal before.
             LaneMask const stretched = dot(spring.xyz, spring.xyz) > Lanes(0);
-            ContactTurn<Lanes> const turn = contact_turn(before.xyz, contact.normal);
-            state.spring = select(stretched, transport_spring(spring.xyz, turn, contact.normal, twist), Numbers{});
+            LineTurn<Lanes> const turn = contact_turn(before.xyz, contact.normal);
+            state.spring = select(stretched, transport_spring(spring.xyz, turn, twist), Numbers{});
         }
         Numbers force;
         Lanes stiffness = 0; // S_n = 2 E* a, Hertz

@@ -8,18 +8,6 @@
 
 namespace arenite {
 
-/// How a contact turned in a step: what the spring's transport and the slip of the surfaces share.
-template <class N> struct ContactTurn {
-    Vector<N> sum; // previous normal + normal
-    N inverse;     // 1 / (1 + previous normal . normal)
-};
-
-template <class N>
-KOKKOS_FORCEINLINE_FUNCTION ContactTurn<N> contact_turn(Vector<N> const& previous_normal, Vector<N> const& normal)
-{
-    return {previous_normal + normal, 1 / (1 + dot(previous_normal, normal))};
-}
-
 /// a - b x c, product by product, so that multiply-adds take it whole.
 template <class N>
 KOKKOS_FORCEINLINE_FUNCTION Vector<N> less_cross(Vector<N> const& a, Vector<N> const& b, Vector<N> const& c)
@@ -27,47 +15,78 @@ KOKKOS_FORCEINLINE_FUNCTION Vector<N> less_cross(Vector<N> const& a, Vector<N> c
     return {a.x - b.y * c.z + b.z * c.y, a.y - b.z * c.x + b.x * c.z, a.z - b.x * c.y + b.y * c.x};
 }
 
-/// The turn of a step in which the centres went along straight lines, as they do between two evaluations. offset [m]: from
-/// the second centre to the first, of length `distance`, with its inverse [1/m], 0 for concentric grains; approach [m/s]:
-/// the first centre's velocity relative to the second's, normal_velocity its part along the normal.
+/// How the line between two bodies turned in a step: what the spring's transport and the slip of the surfaces share. The
+/// line may have any length, so that between grains none of this waits for the root and the quotient that a unit normal
+/// takes.
+template <class N> struct LineTurn {
+    Vector<N> line;   // from the second body to the first
+    N inverse_square; // 1 / |line|^2
+    Vector<N> mean;   // along n' + n, the sum of the normals before and after, so long that mean . line = |line|^2
+};
+
+/// Between two unit normals.
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION ContactTurn<N> straight_turn(Vector<N> const& offset, N const& distance,
-                                                         N const& inverse_distance, Vector<N> const& normal,
-                                                         Vector<N> const& approach, N const& normal_velocity, Real dt)
+KOKKOS_FORCEINLINE_FUNCTION LineTurn<N> contact_turn(Vector<N> const& previous_normal, Vector<N> const& normal)
 {
-    Vector<N> const previous = offset - dt * approach;
-    N const ahead = distance - dt * normal_velocity; // previous . normal
-    // A series in place of root and division, exact to rounding where the length changed by less than 5e-4.
-    N const square = dot(previous, previous), q = square * (inverse_distance * inverse_distance) - 1;
-    N const series = 1 - q * (Real(0.5) - q * (Real(0.375) - q * (Real(0.3125) - q * Real(0.2734375))));
-    N const scale = inverse_distance * series;
-    ContactTurn<N> const turn{normal + scale * previous, 1 / (1 + scale * ahead)};
-    auto const usual = magnitude(q) < N(1e-3) && ahead > N(0);
-    if (all(usual)) return turn;
-    Vector<N> const direction = (1 / square_root(square)) * previous;
-    // Centres that passed each other within the step have no turn to follow.
-    ContactTurn<N> const other = contact_turn(select(dot(direction, normal) > N(0), direction, normal), normal);
-    return {select(usual, turn.sum, other.sum), select(usual, turn.inverse, other.inverse)};
+    return {normal, N(1), (1 / (1 + dot(previous_normal, normal))) * (previous_normal + normal)};
+}
+
+/// The turn of a step in which the centres went along straight lines, as they do between two evaluations.
+template <class N> struct StraightTurn {
+    LineTurn<N> turn;
+    Vector<N> across; // m/s: how the first centre moves relative to the second, without what is along the line
+    N kept;           // share of `across` that remains, seen across the line, if what is along `mean` goes as well
+    N twice_cosine;   // 1 + n' . n = 2 cos^2(angle / 2)
+    N parting;        // m2/s: line . (velocity of the first centre relative to the second)
+};
+
+/// line [m]: from the second centre to the first, with the inverse of its square; approach [m/s]: the first centre's
+/// velocity relative to the second's. With u the part of it across the line and v_n that along it, the angle of the turn has
+/// tan(angle) = |u| / (d/dt - v_n); all else follows from tan(angle / 2).
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION StraightTurn<N> straight_turn(Vector<N> const& line, N const& inverse_square,
+                                                          Vector<N> const& approach, Real dt)
+{
+    N const parting = dot(line, approach), rate = parting * inverse_square, grown = dt * rate; // of the distance
+    Vector<N> const across = approach - rate * line;
+    N const square = dot(across, across); // |u|^2
+    // Series in place of roots and quotients, exact to rounding where a step neither turns nor stretches the line by much.
+    N const time = dt * (1 + grown * (1 + grown * (1 + grown))); // tan(angle) d / |u|
+    N time_over_square = time * inverse_square;
+    N const tangent = time * time_over_square * square; // tan^2(angle)
+    N cosine = 1 - tangent * (Real(0.5) - Real(0.375) * tangent);
+    N half = time * (Real(0.5) - tangent * (Real(0.125) - Real(0.0625) * tangent)); // tan(angle / 2) d / |u|
+    auto const usual = magnitude(grown) < N(1e-4) && tangent < N(4e-6);
+    if (!all(usual)) [[unlikely]] {
+        // Centres that passed each other within the step have no turn to follow.
+        N const exact = select(grown < N(1), dt / (1 - grown), N(0));
+        N const secant = square_root(1 + exact * exact * (square * inverse_square));
+        time_over_square = select(usual, time_over_square, exact * inverse_square);
+        cosine = select(usual, cosine, 1 / secant);
+        half = select(usual, half, exact / (1 + secant));
+    }
+    N const kept = 1 + Real(0.5) * (time_over_square * cosine * (parting - half * square));
+    return {{line, inverse_square, line - half * across}, across, kept, 1 + cosine, parting};
 }
 
 /// Carries a vector of the old contact plane into the new one, as the contact turns: the smallest rotation
-/// that takes the previous normal to normal (exact, so the length is kept), then by the angle twist [rad] about
-/// normal. Projecting instead would shorten the spring at every step.
+/// that takes the previous normal to normal (exact, so the length is kept), then about the normal by an angle of twist /
+/// |line|. Projecting instead would shorten the spring at every step.
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION Vector<N> transport_spring(Vector<N> const& spring, ContactTurn<N> const& turn,
-                                                       Vector<N> const& normal, N const& twist)
+KOKKOS_FORCEINLINE_FUNCTION Vector<N> transport_spring(Vector<N> const& spring, LineTurn<N> const& turn, N const& twist)
 {
-    Vector<N> const tilted = spring - (dot(spring, normal) * turn.inverse) * turn.sum;
-    // Rotation by a small angle: cos and sin to fifth order, exact to rounding for twist < 1e-3.
-    N const square = twist * twist;
-    N const sine = twist * (1 - square * Real(1.0 / 6)), cosine = 1 - square * (Real(0.5) - square * Real(1.0 / 24));
-    return cosine * tilted + sine * cross(normal, tilted);
+    Vector<N> const tilted = spring - (dot(spring, turn.line) * turn.inverse_square) * turn.mean;
+    // Rotation by a small angle: cos and sin to fifth order, exact to rounding for angles below 1e-3.
+    N const square = twist * twist * turn.inverse_square;
+    N const sine = twist * turn.inverse_square * (1 - square * Real(1.0 / 6)),
+            cosine = 1 - square * (Real(0.5) - square * Real(1.0 / 24));
+    return less_cross(cosine * tilted, sine * tilted, turn.line);
 }
 
 KOKKOS_FORCEINLINE_FUNCTION Vec3 transport_spring(Vec3 const& spring, Vec3 const& previous_normal, Vec3 const& normal,
                                                   Real twist)
 {
-    return transport_spring(spring, contact_turn(previous_normal, normal), normal, twist);
+    return transport_spring(spring, contact_turn(previous_normal, normal), twist);
 }
 
 /// How i's surface moves relative to j's at the contact.
@@ -83,20 +102,18 @@ KOKKOS_FORCEINLINE_FUNCTION SurfaceMotion<N> surface_motion(Vector<N> const& vel
     return {along, velocity - along * normal};
 }
 
-/// The same over the step of the turn, approach being the velocity of the centres and normal_velocity its part along the
-/// normal. The spins (half_arm_spin: half of arm_i omega_i + arm_j omega_j) act on the step's mean normal, and the
-/// tangential part is perpendicular to it: for a rigid turn about any axis k by any angle, n - n' = 2 tan(angle/2) k x (n +
-/// n')/2 (Cayley), so that a pair that turns as one body does not slip. With the new normal alone the spring of such a pair
-/// would creep in proportion to dt.
+/// Slip [m/s] over the step of the turn. rolling [1/s]: a_i omega_i + a_j omega_j, a being the arms over the distance;
+/// counted: cos^2(angle / 2) cayley_factor. The spins act on the step's mean normal, and the centres' part of the slip is
+/// perpendicular to it: for a rigid turn about any axis k by any angle, n - n' = 2 tan(angle/2) k x (n + n')/2 (Cayley), so
+/// that a pair that turns as one body does not slip. With the new normal alone the spring of such a pair would creep in
+/// proportion to dt.
 template <class N>
-KOKKOS_FORCEINLINE_FUNCTION SurfaceMotion<N> surface_motion(Vector<N> const& approach, N const& normal_velocity,
-                                                            Vector<N> const& half_arm_spin, ContactTurn<N> const& turn,
-                                                            Vector<N> const& normal)
+KOKKOS_FORCEINLINE_FUNCTION Vector<N> slip_over(StraightTurn<N> const& step, Vector<N> const& rolling, N const& counted)
 {
-    // What the spins do is perpendicular to the sum already.
-    N const along = Real(0.5) * dot(approach, turn.sum) * turn.inverse;
-    Vector<N> const slip = less_cross(approach - along * turn.sum, half_arm_spin, turn.sum);
-    return {normal_velocity, slip - dot(slip, normal) * normal};
+    // Across the line, of: the approach without what is along `mean`, less counted rolling x mean.
+    LineTurn<N> const& turn = step.turn;
+    Vector<N> const level = rolling - (dot(rolling, turn.line) * turn.inverse_square) * turn.mean;
+    return less_cross(step.kept * step.across, counted * level, turn.line);
 }
 
 /// What makes of the spins of a pair (sum: omega_i + omega_j) spins as Cayley's relation counts them, 2/dt tan(omega dt/2):
@@ -140,7 +157,7 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N cut_to(N const& limit, N const&
     // loses more than the root costs.
     if constexpr (NumberTraits<N>::lanes == 1)
         if (square <= limit * limit) return 1;
-    return smaller(limit / square_root(square), N(1));
+    return smaller(limit * (1 / square) * square_root(square), N(1)); // the root and the quotient at the same time
 }
 
 struct NoTangential {

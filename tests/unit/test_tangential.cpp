@@ -34,44 +34,50 @@ TEST(Tangential, TwistTurnsTheSpringAboutTheNormal)
 TEST(Tangential, RigidTurnDoesNotSlip)
 {
     constexpr Real dt = 1e-8, distance = 0.23e-3;
-    for (Real const angle : {1e-4, 1e-2}) {
+    for (Real const angle : {1e-4, 1e-3, 1e-2}) { // by series, and by roots
         Vec3 const axis = normalized({0.6, -0.3, 0.8}), before = normalized({1, 2, 3});
         Real const c = std::cos(angle), s = std::sin(angle);
         Vec3 const after = c * before + s * cross(axis, before) + ((1 - c) * dot(axis, before)) * axis;
         Vec3 const spin = (angle / dt) * axis;
-        Vec3 const approach = (distance / dt) * (after - before);
-        Vec3 const half_arm_spin = (distance / 2 * cayley_factor(2 * spin, dt)) * spin;
-        Vec3 const slip =
-            surface_motion(approach, dot(approach, after), half_arm_spin, contact_turn(before, after), after).slip;
+        StraightTurn<Real> const step =
+            straight_turn(distance * after, 1 / (distance * distance), (distance / dt) * (after - before), dt);
+        Vec3 const slip = slip_over(step, spin, Real(0.5) * step.twice_cosine * cayley_factor(2 * spin, dt));
         // The series of the tangent leaves angle^5 / 120; the difference of the normals leaves its rounding.
         EXPECT_LT(norm(slip) * dt / distance, std::pow(angle, 5) / 100 + 1e-15);
+    }
+}
+
+TEST(Tangential, SlipIsWhatIsAcrossTheMeanNormalSeenAcrossTheNew)
+{
+    constexpr Real dt = 1e-8;
+    Vec3 const line{0.12e-3, -0.15e-3, 0.08e-3}, rolling{3e4, -1e4, 2e4};
+    Vec3 const normal = normalized(line);
+    for (Real const speed : {1e-3, 1.0, 30.0, 3000.0}) {
+        Vec3 const approach = speed * normalized({1, 0.3, -0.7}), before = normalized(line - dt * approach);
+        Vec3 const mean = contact_turn(before, normal).mean;
+        Vec3 const slip = approach - (dot(approach, mean) / dot(mean, mean)) * mean - cross(rolling, norm(line) * mean);
+        Vec3 const expected = slip - dot(slip, normal) * normal;
+        Vec3 const found = slip_over(straight_turn(line, 1 / dot(line, line), approach, dt), rolling, Real(1));
+        EXPECT_LT(norm(found - expected), 4e-15 * (speed + norm(rolling) * norm(line))) << speed;
     }
 }
 
 TEST(Tangential, StraightStepTurnsTheNormalAsItsEndsSay)
 {
     constexpr Real dt = 1e-8;
-    Vec3 const offset{0.12e-3, -0.15e-3, 0.08e-3};
-    Real const distance = norm(offset);
-    Vec3 const normal = normalized(offset);
-    for (Real const share : {0.0, 1e-9, 1e-5, 3e-4, 0.4, 1.0, 1.7, 4.0}) // of the distance, gone in the step
+    Vec3 const line{0.12e-3, -0.15e-3, 0.08e-3};
+    Real const distance = norm(line);
+    Vec3 const normal = normalized(line);
+    for (Real const share :
+         {0.0, 1e-9, 1e-5, 9e-5, 1.1e-4, 1.9e-3, 2.1e-3, 0.4, 1.0, 1.7, 4.0}) // of the distance, in the step
         for (Vec3 const& way : {normal, Real(-1) * normal, normalized({1, 1, 0}), normalized({-1, 2, 0.5})}) {
-            Vec3 const approach = (share * distance / dt) * way, before = offset - dt * approach;
+            Vec3 const approach = (share * distance / dt) * way, before = line - dt * approach;
             bool const followed = dot(before, normal) > 0; // centres that passed each other have no turn to follow
-            ContactTurn<Real> const expected = contact_turn(followed ? normalized(before) : normal, normal);
-            ContactTurn<Real> const turn =
-                straight_turn(offset, distance, 1 / distance, normal, approach, dot(approach, normal), dt);
-            EXPECT_NEAR(norm(turn.sum - expected.sum), 0, 2e-15) << share;
-            EXPECT_NEAR(turn.inverse, expected.inverse, 2e-15) << share;
+            LineTurn<Real> const expected = contact_turn(followed ? normalized(before) : normal, normal);
+            StraightTurn<Real> const step = straight_turn(line, 1 / dot(line, line), approach, dt);
+            EXPECT_NEAR(norm(step.turn.mean / distance - expected.mean), 0, 2e-15) << share;
+            EXPECT_NEAR(step.twice_cosine, 1 + dot(followed ? normalized(before) : normal, normal), 2e-15) << share;
         }
-}
-
-TEST(Tangential, StraightStepOfConcentricGrains)
-{
-    Vec3 const normal{0, 0, 1};
-    ContactTurn<Real> const turn = straight_turn(Vec3{}, Real(0), Real(0), normal, {0.1, 0, 0}, Real(0), 1e-8);
-    EXPECT_TRUE(turn.sum == Real(2) * normal);
-    EXPECT_EQ(turn.inverse, 0.5);
 }
 
 PairConstants rough_pair(TangentialLaw law, FrictionLimit limit = FrictionLimit::thornton)
