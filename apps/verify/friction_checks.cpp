@@ -277,6 +277,29 @@ std::vector<VerifyCase> check_sliding_to_rolling()
                 1e-5)};
 }
 
+namespace {
+
+/// How far [m] the surfaces slip in a step of 1e-7 s where two spheres of radii 1 : 3, whose centres are at rest, turn about
+/// axes across the line of centres: at these speeds [m/s] of their surfaces in the plane of contact.
+Real slip_of_unequal_gears(Real small_speed, Real large_speed)
+{
+    constexpr Real small = 0.05, large = 0.15, distance = small + large - 1e-5;
+    constexpr Real arm = (distance + (small * small - large * large) / distance) / 2; // of the small one
+    SystemSettings settings;
+    settings.materials = {with(make_material(2700, 7e10, 0.33), 1, 1e3)};
+    settings.contact = contact_settings(NormalLaw::hertz, DampingLaw::none, TangentialLaw::secant);
+    settings.grains = {make_grain(0, {}, 2 * small, {}, {0, 0, small_speed / arm}),
+                       make_grain(1, {distance, 0, 0}, 2 * large, {}, {0, 0, large_speed / (distance - arm)})};
+    settings.skin = small / 10;
+    settings.dt = 1e-7;
+    GrainSystem system = make_system(settings);
+    evaluate(system);
+    ListedPair const pair = listed_pairs(system)[0];
+    return norm(Vec3{pair.spring[0], pair.spring[1], pair.spring[2]});
+}
+
+} // namespace
+
 std::vector<VerifyCase> check_gear_spin()
 {
     constexpr Real radius = 0.1, spin = 5;
@@ -290,12 +313,18 @@ std::vector<VerifyCase> check_gear_spin()
     GrainSystem system = make_system(settings);
     advance(system, 2000); // the contact lasts 1.1e-3 s
     std::vector<Grain> const grains = grains_by_id(system);
-    std::string const source = "Chung & Ooi 2011 test 7: no slip";
-    return {compare_error({"equal spheres turning as gears", "tangential speed [m/s]", source},
-                          std::fabs(grains[0].velocity.y), 1e-12),
-            compare({"equal spheres turning as gears", "omega_out / omega_in", source}, grains[0].spin.z / spin, 1, 1e-12),
-            compare({"equal spheres turning as gears", "rebound speed / speed", "Tsuji 1992: e"},
-                    -grains[0].velocity.x / 0.1, 0.5, 5e-3)};
+    std::string const source = "Chung & Ooi 2011 test 7: no slip", unequal = "spheres 1 : 3 turning as gears",
+                      closed = "closed form: a_i omega_i + a_j omega_j";
+    constexpr Real way = 1e-7; // of a surface at 1 m/s in a step
+    return {
+        compare_error({unequal, "slip of a step / way of a surface", closed}, slip_of_unequal_gears(1, -1) / way, 1e-12),
+        compare({unequal, "the same, the larger one turning alone", closed}, slip_of_unequal_gears(0, 1) / way, 1, 1e-12),
+        compare({unequal, "the same, the smaller one turning alone", closed}, slip_of_unequal_gears(1, 0) / way, 1, 1e-12),
+        compare_error({"equal spheres turning as gears", "tangential speed [m/s]", source}, std::fabs(grains[0].velocity.y),
+                      1e-12),
+        compare({"equal spheres turning as gears", "omega_out / omega_in", source}, grains[0].spin.z / spin, 1, 1e-12),
+        compare({"equal spheres turning as gears", "rebound speed / speed", "Tsuji 1992: e"}, -grains[0].velocity.x / 0.1,
+                0.5, 5e-3)};
 }
 
 } // namespace arenite
