@@ -69,15 +69,17 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
     }
 
     /// offset: from the second centres to the first, with its square; reach: the sums of the radii.
-    KOKKOS_FORCEINLINE_FUNCTION void evaluate(int c, int const* i, int const* j, Numbers const& offset, Lanes const& square,
-                                              Lanes const& reach, ContactState<Lanes>& state) const
+    KOKKOS_FORCEINLINE_FUNCTION void evaluate(int c, int const* i, int const* j, Numbers const& offset,
+                                              Lanes const& offset_square, Lanes const& reach,
+                                              ContactState<Lanes>& state) const
     {
-        ContactGeometry<Lanes> contact;
         // Concentric grains have no line of centres: they part along z.
-        Lanes const distance = square_root(square), inverse_square = 1 / larger(square, Lanes(1e-60)),
-                    inverse = inverse_square * distance;
-        contact.normal = inverse * offset;
-        contact.normal.z = select(square > Lanes(0), contact.normal.z, Lanes(1));
+        Numbers line = offset;
+        line.z = select(offset_square > Lanes(0), offset.z, Lanes(1e-30));
+        Lanes const square = larger(offset_square, Lanes(1e-60)), distance = square_root(square),
+                    inverse_square = 1 / square, inverse = inverse_square * distance;
+        ContactGeometry<Lanes> contact;
+        contact.normal = inverse * line;
         contact.overlap = reach - distance;
         // What the first grain's arm to the plane of contact is of the distance; the arms add up to that. A grain wholly
         // inside another (the first, which is the smaller) has no such plane: its arm stays its radius.
@@ -92,7 +94,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
             Numbers const spring{load_lanes(&list.spring(c, 0)), load_lanes(&list.spring(c, 1)),
                                  load_lanes(&list.spring(c, 2))};
             if (list.needs.contact_radius) state.previous_radius = load_lanes(&list.contact_radius(c));
-            StraightTurn<Lanes> const step = straight_turn(offset, inverse_square, approach, dt);
+            StraightTurn<Lanes> const step = straight_turn(line, inverse_square, approach, dt);
             Numbers const spin_i = records_of(spin, i).xyz, spin_j = records_of(spin, j).xyz, spin_sum = spin_i + spin_j;
             Lanes const counted = step.twice_cosine * (Real(0.5) * cayley_factor(spin_sum, dt));
             contact.motion = {step.parting * inverse, slip_over(step, share_i * spin_i + (1 - share_i) * spin_j, counted)};

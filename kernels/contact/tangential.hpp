@@ -58,8 +58,9 @@ KOKKOS_FORCEINLINE_FUNCTION StraightTurn<N> straight_turn(Vector<N> const& line,
     N half = time * (Real(0.5) - tangent * (Real(0.125) - Real(0.0625) * tangent)); // tan(angle / 2) d / |u|
     auto const usual = magnitude(grown) < N(1e-4) && tangent < N(4e-6);
     if (!all(usual)) [[unlikely]] {
-        // Centres that passed each other within the step have no turn to follow.
-        N const exact = select(grown < N(1), dt / (1 - grown), N(0));
+        // Centres that passed each other within the step, or are at one point now, have no turn to follow.
+        N exact = select(grown < N(1), dt / (1 - grown), N(0));
+        exact = select(exact * exact * (square * inverse_square) < N(1e12), exact, N(0));
         N const secant = square_root(1 + exact * exact * (square * inverse_square));
         time_over_square = select(usual, time_over_square, exact * inverse_square);
         cosine = select(usual, cosine, 1 / secant);

@@ -80,6 +80,18 @@ TEST(Tangential, StraightStepTurnsTheNormalAsItsEndsSay)
         }
 }
 
+TEST(Tangential, StraightStepOfConcentricGrains)
+{
+    Vec3 const line{0, 0, 1e-30}; // as the pair kernel names it
+    for (Real const away : {0.0, 0.02}) {
+        StraightTurn<Real> const step = straight_turn(line, Real(1e60), {0.1, 0, away}, 1e-8);
+        EXPECT_TRUE(step.turn.mean == line);
+        EXPECT_EQ(step.twice_cosine, 2);
+        EXPECT_NEAR(step.parting * 1e30, away, 1e-16);
+        EXPECT_LT(norm(slip_over(step, {}, Real(1)) - Vec3{0.1, 0, 0}), 1e-16);
+    }
+}
+
 PairConstants rough_pair(TangentialLaw law, FrictionLimit limit = FrictionLimit::thornton)
 {
     ContactSettings settings = contact_settings(NormalLaw::modified_jkr, DampingLaw::none, law);
