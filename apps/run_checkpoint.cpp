@@ -37,7 +37,7 @@ template <class State, class Function> void for_each_number(State& state, Functi
     }
 }
 
-/// Calls f(name, view) for every View of the grains and of their contacts; some may be unallocated.
+/// Calls f(name, view) for every View of the grains and of their list; some may be unallocated.
 template <class State, class Function> void for_each_array(State& state, Function const& f)
 {
     f("particles/position", state.particles.position);
@@ -53,14 +53,29 @@ template <class State, class Function> void for_each_array(State& state, Functio
     f("particles/coasting", state.particles.coasting);
     f("particles/pressure_force", state.particles.pressure_force);
     f("contacts/row_begin", state.contacts.row_begin);
+    f("contacts/reference_position", state.contacts.reference_position);
+}
+
+/// Likewise for every View that has a row per contact.
+template <class State, class Function> void for_each_contact_array(State& state, Function const& f)
+{
     f("contacts/second", state.contacts.second);
     f("contacts/image", state.contacts.image);
-    f("contacts/reference_position", state.contacts.reference_position);
     f("contacts/touching", state.contacts.touching);
     f("contacts/adhering", state.contacts.adhering);
     f("contacts/spring", state.contacts.spring);
     f("contacts/contact_radius", state.contacts.contact_radius);
     f("contacts/force", state.contacts.force);
+}
+
+/// A copy without the rows beyond the last contact: what the kernels leave there is no part of the state.
+template <class ViewType> ViewType rows_of_contacts(ViewType const& view, int contacts)
+{
+    ViewType const rows(uninitialized(view.label()), contacts);
+    auto const range = Kokkos::make_pair(0, contacts);
+    if constexpr (ViewType::rank == 1) Kokkos::deep_copy(rows, Kokkos::subview(view, range));
+    else Kokkos::deep_copy(rows, Kokkos::subview(view, range, Kokkos::ALL));
+    return rows;
 }
 
 void save_energy(CheckpointWriter& out, EnergyAccount const& account)
@@ -239,6 +254,9 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
     for_each_array(state, [&](std::string const& name, auto const& view) {
         if (view.is_allocated()) out.array(name, view);
     });
+    for_each_contact_array(state, [&](std::string const& name, auto const& view) {
+        if (view.is_allocated()) out.array(name, rows_of_contacts(view, state.contacts.count));
+    });
     out.array("particles/motion", motion_bytes(state.particles));
     if (state.energy) save_energy(out, *state.energy);
     save_groups(out, state.groups);
@@ -257,10 +275,12 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
     in.require_scene(past_hash(scene, plan, in.stamp(), state.inputs));
     for_each_number(state,
                     [&](std::string const& name, auto& number) { number = in.value<std::decay_t<decltype(number)>>(name); });
-    for_each_array(state, [&](std::string const& name, auto& view) {
+    auto const load = [&](std::string const& name, auto& view) {
         view = {};
         if (in.has(name)) in.view(name, view);
-    });
+    };
+    for_each_array(state, load);
+    for_each_contact_array(state, load);
     View1<std::uint8_t> motion;
     in.view("particles/motion", motion);
     restore_motion(motion, state.particles);
