@@ -157,7 +157,7 @@ template <class Make> KOKKOS_FORCEINLINE_FUNCTION Lanes make_lanes(Make const& m
 #endif
 }
 
-/// One record of four numbers, to add up records in one instruction.
+/// One record of four numbers, which one instruction works on.
 #ifdef ARENITE_HOST_LANES
 using Quad __attribute__((vector_size(32))) = Real;
 #else
@@ -167,6 +167,18 @@ struct Quad {
     KOKKOS_FUNCTION friend Quad operator*(Real factor, Quad const& q)
     {
         return {{factor * q[0], factor * q[1], factor * q[2], factor * q[3]}};
+    }
+    KOKKOS_FUNCTION friend Quad operator*(Quad const& a, Quad const& b)
+    {
+        return {{a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]}};
+    }
+    KOKKOS_FUNCTION friend Quad operator+(Quad const& a, Quad const& b)
+    {
+        return {{a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]}};
+    }
+    KOKKOS_FUNCTION friend Quad operator-(Quad const& a, Quad const& b)
+    {
+        return {{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]}};
     }
     KOKKOS_FUNCTION Quad& operator+=(Quad const& q)
     {
@@ -226,6 +238,23 @@ KOKKOS_FORCEINLINE_FUNCTION Quad negated_if(int odd, Quad const& quad)
     return Real(1 - 2 * odd) * quad;
 #endif
 }
+
+/// `size`, component by component, with the sign of `direction`; 0 where that is 0.
+KOKKOS_FORCEINLINE_FUNCTION Quad along(Quad const& direction, Quad const& size)
+{
+#ifdef ARENITE_HOST_LANES
+    Quad const zero{};
+    return direction > zero ? size : (direction < zero ? -size : zero);
+#else
+    auto const one = [&](int n) { return direction[n] > 0 ? size[n] : direction[n] < 0 ? -size[n] : Real(0); };
+    return {{one(0), one(1), one(2), one(3)}};
+#endif
+}
+KOKKOS_FORCEINLINE_FUNCTION Quad magnitude(Quad const& q) { return along(q, q); }
+
+KOKKOS_FORCEINLINE_FUNCTION Quad quad_of(Vec3 const& v) { return Quad{v.x, v.y, v.z, 0}; }
+KOKKOS_FORCEINLINE_FUNCTION Quad three_times(Real a) { return Quad{a, a, a, 0}; }
+KOKKOS_FORCEINLINE_FUNCTION Real sum_of_three(Quad const& q) { return q[0] + q[1] + q[2]; }
 
 /// A record of four numbers in every lane.
 struct LaneRecords {
@@ -350,11 +379,7 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_differences(Real const* records, in
     return turned([&](int n) {
         Quad const a = load_record(records + 4 * static_cast<std::ptrdiff_t>(rows[n])),
                    b = load_record(records + 4 * static_cast<std::ptrdiff_t>(others[n]));
-#ifdef ARENITE_HOST_LANES
         return a + Quad{-1, -1, -1, sign} * b; // exact products
-#else
-        return Quad{{a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] + sign * b[3]}};
-#endif
     });
 }
 

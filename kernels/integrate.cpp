@@ -6,11 +6,16 @@
 namespace arenite {
 namespace {
 
-/// What both halves of the kick need; one struct for the three kernels, so that they share every expression. A kernel takes
-/// lane_count grains at a time.
+/// Grains of a turn: a host looks at the gate once a turn.
+constexpr int turn_length = on_host ? 16 : 1;
+
+/// What both halves of the kick need; one struct for the three kernels, so that they share every expression. A record takes
+/// one instruction; its fourth number (radius, mass, moment of inertia) keeps its value, since what is added there is 0.
 struct GrainStep {
     StepSettings settings;
     Real half_dt;
+    Quad time, gravity, strain_rate, box_lower;
+    Real allowed_square; // m2
     Particles grains;
     ContactList contacts;
     WallForceRows walls;
@@ -18,33 +23,22 @@ struct GrainStep {
     Kokkos::View<int, MemorySpace> stale_step;
     Kokkos::View<int, PinnedSpace> notice;
     StepGate gate;
-    bool has_walls, has_applied, has_fluid;
+    bool has_walls, has_applied, has_fluid, others_act; // others: applied and fluid forces, damping
 
-    using Numbers = Vector<Lanes>;
-
-    /// Force and torque of the grains in the lanes.
+    /// Force and torque of a grain. The fourth numbers are any, but finite.
     struct Load {
-        Numbers force, torque;
+        Quad force, torque;
+        KOKKOS_FORCEINLINE_FUNCTION Quad square() const { return force * force + torque * torque; }
     };
 
-    /// The grains of a block. Beyond the last one it names the last again: that lane computes and stores the same.
-    struct Rows {
-        int row[lane_count];
-
-        KOKKOS_FORCEINLINE_FUNCTION Rows(int block, int count)
-        {
-            for (int n = 0; n < lane_count; ++n)
-                row[n] = block * lane_count + n < count ? block * lane_count + n : count - 1;
-        }
-    };
-
-    KOKKOS_FORCEINLINE_FUNCTION static LaneRecords read(RecordView const& view, Rows const& rows)
+    KOKKOS_FORCEINLINE_FUNCTION static Real* record(RecordView const& view, int i)
     {
-        return load_records(view.data(), rows.row);
+        return view.data() + 4 * static_cast<std::ptrdiff_t>(i);
     }
-    KOKKOS_FORCEINLINE_FUNCTION static void write(LaneRecords const& records, RecordView const& view, Rows const& rows)
+    KOKKOS_FORCEINLINE_FUNCTION static Quad read(RecordView const& view, int i) { return load_record(record(view, i)); }
+    KOKKOS_FORCEINLINE_FUNCTION static void write(Quad const& quad, RecordView const& view, int i)
     {
-        store_records(records, view.data(), rows.row);
+        store_record(quad, record(view, i));
     }
 
     /// The half of a contact's row that is the grain's: entry 2 c + 1 has the second one, with its arm at the end.
@@ -54,9 +48,9 @@ struct GrainStep {
     }
 
     /// Of the grain's contacts that may carry a force, in the order of their partners' ids.
-    KOKKOS_FORCEINLINE_FUNCTION void gather(int i, Quad& force, Quad& torque) const
+    KOKKOS_FORCEINLINE_FUNCTION Load gather(int i) const
     {
-        Quad forces{}, torques{}; // in registers until the grain is done; their fourth number is no force
+        Quad forces{}, torques{};
         auto const add = [&](int entry) {
             // Without a branch: rows that do not touch are zero.
             int const second = entry & 1;
@@ -86,75 +80,47 @@ struct GrainStep {
                 forces += load_record(row);
                 torques -= row[3] * load_record(row + 4);
             }
-        force = forces;
-        torque = torques;
-    }
-
-    KOKKOS_FORCEINLINE_FUNCTION Numbers damped(Numbers const& force, Numbers const& velocity) const
-    {
-        Numbers result;
-        for (int axis = 0; axis < 3; ++axis) {
-            Lanes const damping = settings.local_damping * magnitude(force[axis]);
-            result[axis] = force[axis] -
-                           select(velocity[axis] > Lanes(0), damping, select(velocity[axis] < Lanes(0), -damping, Lanes(0)));
-        }
-        return result;
+        return {forces, torques};
     }
 
     /// Of everything that acts; velocity and spin as they are.
-    KOKKOS_FORCEINLINE_FUNCTION Load load(Rows const& rows, LaneRecords const& velocity, LaneRecords const& spin) const
+    KOKKOS_FORCEINLINE_FUNCTION Load load(int i, Quad const& velocity, Quad const& spin) const
     {
-        Quad forces[lane_count], torques[lane_count];
-        for (int n = 0; n < lane_count; ++n) gather(rows.row[n], forces[n], torques[n]);
-        Load sum{lanes_of(forces).xyz, lanes_of(torques).xyz};
-        if (has_fluid) sum.force += read(grains.fluid_force, rows).xyz;
-        if (has_applied) sum.force += read(grains.applied_force, rows).xyz;
-        for (int axis = 0; axis < 3; ++axis) sum.force[axis] += velocity.w * settings.gravity[axis];
-        if (settings.local_damping > 0) {
-            sum.force = damped(sum.force, velocity.xyz);
-            sum.torque = damped(sum.torque, spin.xyz);
+        Load sum = gather(i);
+        if (others_act) {
+            if (has_fluid) sum.force += read(grains.fluid_force, i);
+            if (has_applied) sum.force += read(grains.applied_force, i);
         }
-        // One comparison is false for NaN and for infinity.
-        if (!all(dot(sum.force, sum.force) + dot(sum.torque, sum.torque) < Lanes(1e300)))
-            Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite));
+        sum.force += record(grains.velocity, i)[3] * gravity; // of the mass
+        if (others_act && settings.local_damping > 0) {
+            sum.force = sum.force - along(velocity, settings.local_damping * magnitude(sum.force));
+            sum.torque = sum.torque - along(spin, settings.local_damping * magnitude(sum.torque));
+        }
         return sum;
     }
 
-    /// Lanes whose grain's motion is not `motion`.
-    KOKKOS_FORCEINLINE_FUNCTION LaneMask unlike(Rows const& rows, Motion motion) const
+    /// What half a kick adds to the record of velocity or spin of grain i.
+    KOKKOS_FORCEINLINE_FUNCTION Quad half_kick(RecordView const& view, int i, Quad const& load) const
     {
-        int others = 0;
-        for (int n = 0; n < lane_count; ++n) others += grains.motion(rows.row[n]) != motion;
-        if (others == lane_count) return LaneMask(true);
-        if (others == 0) return LaneMask(false);
-        return make_lanes([&](int n) { return Real(grains.motion(rows.row[n]) != motion); }) > Lanes(0);
+        return three_times(half_dt / record(view, i)[3]) * load;
     }
 
-    KOKKOS_FORCEINLINE_FUNCTION void push(LaneMask const& driven, Load const& load, LaneRecords& velocity,
-                                          LaneRecords& spin) const
+    /// not_finite: 0, or NaN to say that a force is not.
+    KOKKOS_FORCEINLINE_FUNCTION void move(int i, Motion motion, Quad const& velocity, Quad const& not_finite) const
     {
-        velocity.xyz = select(driven, velocity.xyz, velocity.xyz + (half_dt / velocity.w) * load.force);
-        spin.xyz = select(driven, spin.xyz, spin.xyz + (half_dt / spin.w) * load.torque);
+        Quad position = read(grains.position, i);
+        if (motion != Motion::held) {
+            position += time * (velocity + strain_rate * (position - box_lower));
+            write(position, grains.position, i);
+        }
+        Quad const moved = position - read(contacts.reference_position, i);
+        Real const square = sum_of_three(moved * moved + not_finite);
+        if (square <= allowed_square) return;
+        if (square < Real(1e300)) return close_gate();
+        set_not_finite(); // NaN comes here
     }
 
-    KOKKOS_FORCEINLINE_FUNCTION void move(Rows const& rows, Numbers const& velocity) const
-    {
-        LaneMask const moves = unlike(rows, Motion::held);
-        LaneRecords position = read(grains.position, rows);
-        Numbers speed = velocity;
-        for (int axis = 0; axis < 3; ++axis)
-            speed[axis] += settings.strain_rate[axis] * (position.xyz[axis] - settings.box_lower[axis]);
-        position.xyz = select(moves, position.xyz + settings.dt * speed, position.xyz);
-        write(position, grains.position, rows);
-        Numbers const moved = position.xyz - read(contacts.reference_position, rows).xyz;
-        Lanes const square = dot(moved, moved);
-        LaneMask const near = square <= Lanes(settings.allowed_move * settings.allowed_move);
-        if (all(near || !moves)) return;
-        LaneMask const somewhere = square < Lanes(1e300);
-        if (any(moves && !near && somewhere)) close_gate();
-        if (any(moves && !somewhere))
-            Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite)); // NaN comes here
-    }
+    KOKKOS_FUNCTION void set_not_finite() const { Kokkos::atomic_or(&health(), static_cast<unsigned>(force_is_not_finite)); }
 
     KOKKOS_FUNCTION void close_gate() const
     {
@@ -163,55 +129,78 @@ struct GrainStep {
 };
 
 struct Kick : GrainStep {
-    KOKKOS_FUNCTION void operator()(int block) const
+    KOKKOS_FORCEINLINE_FUNCTION void visit(int i) const
     {
-        if (gate.closed()) return;
-        Rows const rows(block, grains.count);
-        LaneRecords velocity = read(grains.velocity, rows), spin = read(grains.spin, rows);
-        Load const sum = load(rows, velocity, spin);
-        write({sum.force, Lanes(0)}, grains.force, rows);
-        write({sum.torque, Lanes(0)}, grains.torque, rows);
-        push(unlike(rows, Motion::free), sum, velocity, spin);
-        write(velocity, grains.velocity, rows);
-        write(spin, grains.spin, rows);
+        Quad const velocity = read(grains.velocity, i), spin = read(grains.spin, i);
+        Load const sum = load(i, velocity, spin);
+        if (!(sum_of_three(sum.square()) < Real(1e300))) set_not_finite();
+        write(three_times(1) * sum.force, grains.force, i);
+        write(three_times(1) * sum.torque, grains.torque, i);
+        if (grains.motion(i) != Motion::free) return;
+        write(velocity + half_kick(grains.velocity, i, sum.force), grains.velocity, i);
+        write(spin + half_kick(grains.spin, i, sum.torque), grains.spin, i);
     }
 };
 
 struct Drift : GrainStep {
-    KOKKOS_FUNCTION void operator()(int block) const
+    KOKKOS_FORCEINLINE_FUNCTION void visit(int i) const
     {
-        if (gate.closed()) return;
-        Rows const rows(block, grains.count);
-        LaneRecords velocity = read(grains.velocity, rows), spin = read(grains.spin, rows);
-        push(unlike(rows, Motion::free), {read(grains.force, rows).xyz, read(grains.torque, rows).xyz}, velocity, spin);
-        write(velocity, grains.velocity, rows);
-        write(spin, grains.spin, rows);
-        move(rows, velocity.xyz);
+        Quad velocity = read(grains.velocity, i);
+        Motion const motion = grains.motion(i);
+        if (motion == Motion::free) {
+            velocity += half_kick(grains.velocity, i, read(grains.force, i));
+            write(velocity, grains.velocity, i);
+            write(read(grains.spin, i) + half_kick(grains.spin, i, read(grains.torque, i)), grains.spin, i);
+        }
+        move(i, motion, velocity, Quad{});
     }
 };
 
 struct KickAndDrift : GrainStep {
-    KOKKOS_FUNCTION void operator()(int block) const
+    KOKKOS_FORCEINLINE_FUNCTION void visit(int i) const
     {
-        if (gate.closed()) return;
-        Rows const rows(block, grains.count);
-        LaneRecords velocity = read(grains.velocity, rows), spin = read(grains.spin, rows);
-        Load const sum = load(rows, velocity, spin);
-        LaneMask const driven = unlike(rows, Motion::free);
-        for (int half = 0; half < 2; ++half) push(driven, sum, velocity, spin);
-        write(velocity, grains.velocity, rows);
-        write(spin, grains.spin, rows);
-        move(rows, velocity.xyz);
+        Quad velocity = read(grains.velocity, i);
+        Quad const spin = read(grains.spin, i);
+        Load const sum = load(i, velocity, spin);
+        Motion const motion = grains.motion(i);
+        if (motion == Motion::free) {
+            Quad const kick = half_kick(grains.velocity, i, sum.force), turn = half_kick(grains.spin, i, sum.torque);
+            velocity = velocity + kick + kick;
+            write(velocity, grains.velocity, i);
+            write(spin + turn + turn, grains.spin, i);
+        }
+        move(i, motion, velocity, Real(0) * sum.square()); // one comparison for both
     }
 };
 
-RangePolicy blocks_of(Particles const& particles) { return {0, (particles.count + lane_count - 1) / lane_count}; }
+template <class Step> struct Turns {
+    Step step;
+
+    KOKKOS_FUNCTION void operator()(int turn) const
+    {
+        if (step.gate.closed()) return;
+        int const begin = turn * turn_length, end = Kokkos::min(begin + turn_length, step.grains.count);
+        for (int i = begin; i < end; ++i) step.visit(i);
+    }
+};
+
+template <class Step> void launch(char const* name, GrainStep const& step)
+{
+    int const turns = (step.grains.count + turn_length - 1) / turn_length;
+    Kokkos::parallel_for(name, RangePolicy(0, turns), Turns<Step>{{step}});
+}
 
 GrainStep make_step(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
                     ContactList const& contacts, WallForceRows const& walls)
 {
+    bool const has_applied = particles.applied_force.is_allocated(), has_fluid = particles.fluid_force.is_allocated();
     return {settings,
             Real(0.5) * settings.dt,
+            three_times(settings.dt),
+            quad_of(settings.gravity),
+            quad_of(settings.strain_rate),
+            quad_of(settings.box_lower),
+            settings.allowed_move * settings.allowed_move,
             particles,
             contacts,
             walls,
@@ -220,8 +209,9 @@ GrainStep make_step(Integrator const& integrator, StepSettings const& settings, 
             integrator.notice,
             integrator.gate(),
             walls.begin.extent(0) > 0,
-            particles.applied_force.is_allocated(),
-            particles.fluid_force.is_allocated()};
+            has_applied,
+            has_fluid,
+            has_applied || has_fluid || settings.local_damping > 0};
 }
 
 } // namespace
@@ -235,20 +225,19 @@ Integrator::Integrator() : health("health"), stale_step(uninitialized("stale_ste
 void kick(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
           ContactList const& contacts, WallForceRows const& walls)
 {
-    Kokkos::parallel_for("kick", blocks_of(particles), Kick{make_step(integrator, settings, particles, contacts, walls)});
+    launch<Kick>("kick", make_step(integrator, settings, particles, contacts, walls));
 }
 
 void drift(Integrator& integrator, StepSettings const& settings, Particles const& particles, ContactList const& contacts)
 {
-    Kokkos::parallel_for("drift", blocks_of(particles), Drift{make_step(integrator, settings, particles, contacts, {})});
+    launch<Drift>("drift", make_step(integrator, settings, particles, contacts, {}));
     ++integrator.step;
 }
 
 void kick_and_drift(Integrator& integrator, StepSettings const& settings, Particles const& particles,
                     ContactList const& contacts, WallForceRows const& walls)
 {
-    Kokkos::parallel_for("kick_and_drift", blocks_of(particles),
-                         KickAndDrift{make_step(integrator, settings, particles, contacts, walls)});
+    launch<KickAndDrift>("kick_and_drift", make_step(integrator, settings, particles, contacts, walls));
     ++integrator.step;
 }
 
