@@ -58,12 +58,12 @@ struct ContactList {
     View1<int> second;         // [contact + second_ahead]
     View1<std::uint8_t> image; // [contact] image code of second; empty in a closed box
     ContactColumns<2> scale;   // [contact](R* m, m* kg)
-    View1<Real> cube_root;     // [contact] R*^(1/3) m^(1/3); empty without bonds
-    View1<std::uint8_t> touching; // [contact] carried a force at the last evaluation
-    View1<std::uint8_t> adhering; // [contact] follows the JKR curve; empty without bonds
-    ContactColumns<3> spring;     // [contact](xi x, y, z m); empty without history
-    View1<Real> contact_radius;   // [contact] a at the last evaluation, m; empty unless needed
-    ForceRows force;              // [contact] N and m, no force and moment where not touching
+    View1<Real> inverse_cube_root; // [contact] R*^(-1/3) m^(-1/3); empty without bonds
+    View1<std::uint8_t> touching;  // [contact] carried a force at the last evaluation
+    View1<std::uint8_t> adhering;  // [contact] follows the JKR curve; empty without bonds
+    ContactColumns<3> spring;      // [contact](xi x, y, z m); empty without history
+    View1<Real> contact_radius;    // [contact] a at the last evaluation, m; empty unless needed
+    ForceRows force;               // [contact] N and m, no force and moment where not touching
 
     View1<int> incident_begin; // [2 grain + 1] a grain's close contacts at i, its others at grains() + i
     View1<int> incident;       // [2 contact + incident_ahead] contact * 2 + (1 where the grain is second), by partner id

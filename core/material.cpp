@@ -69,6 +69,7 @@ PairConstants make_pair(MaterialSettings const& a, MaterialSettings const& b, Co
     pair.surface_energy = a.surface_energy;
     pair.radius_factor = std::cbrt(pi * a.surface_energy / pair.effective_youngs_modulus);
     pair.length_factor = pair.radius_factor * pair.radius_factor;
+    pair.inverse_length_factor = 1 / pair.length_factor;
     pair.break_overlap = break_overlap_of(contact.break_point);
     pair.forms_on_touch = contact.normal == NormalLaw::jkr;
     return pair;

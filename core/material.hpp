@@ -6,6 +6,7 @@
 #include "core/scene.hpp"
 #include "core/types.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace arenite {
@@ -18,10 +19,12 @@ struct PairConstants {
     Real tangential_damping_ratio = 0; // sqrt(S_t / S_n) = 2 sqrt(G*/E*), -: tangential over normal dashpot
     Real friction = 0;                 // mu, -
     // JKR, 0 where the pair does not adhere. gamma of paper eq 12: the work of adhesion is 2 gamma.
-    Real surface_energy = 0;      // gamma, J/m2
-    Real length_factor = 0;       // L / R*^(1/3) = (pi gamma / E*)^(2/3), m^(2/3)
-    Real radius_factor = 0;       // (pi gamma / E*)^(1/3), m^(1/3): a = radius_factor R*^(2/3) s
-    Real break_overlap = 0;       // overlap / L below which the contact snaps: 0 at A, delta_C/L, delta_S/L
+    Real surface_energy = 0;        // gamma, J/m2
+    Real length_factor = 0;         // L / R*^(1/3) = (pi gamma / E*)^(2/3), m^(2/3)
+    Real radius_factor = 0;         // (pi gamma / E*)^(1/3), m^(1/3): a = radius_factor R*^(2/3) s
+    Real inverse_length_factor = 0; // 1 / length_factor, m^(-2/3)
+    // overlap / L below which the contact snaps: 0 at A, delta_C/L, delta_S/L; no bond of a pair that does not adhere holds
+    Real break_overlap = std::numeric_limits<Real>::infinity();
     bool forms_on_touch = false;  // full JKR: every touch makes a bond; modified JKR: never again
     bool clip_attraction = false; // damping may not make a Hertz contact attract
     FrictionLimit friction_limit = FrictionLimit::thornton;

@@ -57,11 +57,11 @@ template <class... Records> KOKKOS_FORCEINLINE_FUNCTION void ask_for_later(int c
             (prefetch(of.data() + 4 * static_cast<std::ptrdiff_t>(second[n])), ...);
 }
 
-/// Sizes of contacts c .. c + lane_count - 1. Without bonds no law asks for the cube root, and the list has none.
+/// Sizes of contacts c .. c + lane_count - 1. Without bonds no law asks for the inverse cube root, and the list has none.
 template <bool bonds> KOKKOS_FORCEINLINE_FUNCTION ContactScale<Lanes> load_scale(ContactList const& list, int c)
 {
     ContactScale<Lanes> scale{load_lanes(&list.scale(c, 0)), load_lanes(&list.scale(c, 1)), 0};
-    if constexpr (bonds) scale.cube_root_of_radius = load_lanes(&list.cube_root(c));
+    if constexpr (bonds) scale.inverse_cube_root = load_lanes(&list.inverse_cube_root(c));
     return scale;
 }
 

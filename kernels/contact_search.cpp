@@ -410,7 +410,7 @@ void set_scales(Particles const& particles, ContactList const& contacts)
             Real const radius = ri * rj / (ri + rj);
             list.scale(c, 0) = radius;
             list.scale(c, 1) = mi * mj / (mi + mj);
-            if (list.needs.bonds) list.cube_root(c) = Kokkos::cbrt(radius);
+            if (list.needs.bonds) list.inverse_cube_root(c) = 1 / Kokkos::cbrt(radius);
         });
 }
 
@@ -508,7 +508,7 @@ void allocate_contacts(ContactList& contacts)
     contacts.second = View1<int>(uninitialized("contact_second"), n + second_ahead);
     if (contacts.periodic) contacts.image = View1<std::uint8_t>(uninitialized("contact_image"), n);
     contacts.scale = ContactColumns<2>(uninitialized("contact_scale"), n);
-    if (contacts.needs.bonds) contacts.cube_root = View1<Real>(uninitialized("contact_cube_root"), n);
+    if (contacts.needs.bonds) contacts.inverse_cube_root = View1<Real>(uninitialized("contact_inverse_cube_root"), n);
     contacts.touching = View1<std::uint8_t>("contact_touching", n);
     if (contacts.needs.bonds) contacts.adhering = View1<std::uint8_t>("contact_adhering", n);
     if (contacts.needs.history) contacts.spring = ContactColumns<3>("contact_spring", n);
@@ -519,7 +519,7 @@ void allocate_contacts(ContactList& contacts)
     Kokkos::deep_copy(Kokkos::subview(contacts.second, Kokkos::make_pair(contacts.count, n + second_ahead)), 0);
     if (contacts.periodic) Kokkos::deep_copy(Kokkos::subview(contacts.image, rest), PeriodicBox::image_code(0, 0, 0));
     Kokkos::deep_copy(Kokkos::subview(contacts.scale, rest, Kokkos::ALL), 1);
-    if (contacts.needs.bonds) Kokkos::deep_copy(Kokkos::subview(contacts.cube_root, rest), 1);
+    if (contacts.needs.bonds) Kokkos::deep_copy(Kokkos::subview(contacts.inverse_cube_root, rest), 1);
 }
 
 /// Puts the grains that stay into locality order; returns the row that each came from.

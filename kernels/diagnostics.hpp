@@ -14,7 +14,7 @@ namespace arenite {
 /// Sizes of a contact, as the list keeps them.
 KOKKOS_FUNCTION inline ContactScale<> scale_of(ContactList const& list, int c)
 {
-    return {list.scale(c, 0), list.scale(c, 1), list.needs.bonds ? list.cube_root(c) : Real(0)};
+    return {list.scale(c, 0), list.scale(c, 1), list.needs.bonds ? list.inverse_cube_root(c) : Real(0)};
 }
 
 struct GrainReport {
@@ -55,14 +55,14 @@ KOKKOS_FUNCTION inline Real jkr_work(Real y)
 
 KOKKOS_FUNCTION inline Real jkr_energy_unit(ContactScale<> const& scale, PairConstants const& pair)
 {
-    return std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius * pair.length_factor *
-           scale.cube_root_of_radius;
+    return std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius * pair.length_factor /
+           scale.inverse_cube_root;
 }
 
 /// J at the overlap, above the state without contact.
 KOKKOS_FUNCTION inline Real jkr_potential(Real overlap, ContactScale<> const& scale, PairConstants const& pair)
 {
-    return jkr_energy_unit(scale, pair) * jkr_work(jkr_root(overlap / (pair.length_factor * scale.cube_root_of_radius)));
+    return jkr_energy_unit(scale, pair) * jkr_work(jkr_root(overlap * jkr_inverse_length(scale, pair)));
 }
 
 /// J at the overlap, above the force-free point B.

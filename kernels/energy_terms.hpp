@@ -186,7 +186,7 @@ template <class Law> struct WallPower {
         WallBody const& body = walls.body(walls.wall_of_element(list.element(c)));
         PairConstants const& pair = pairs(material(i), body.material);
         Real const radius = position(i, 3), arm = list.force(c, 3);
-        ContactScale<> const scale{radius, velocity(i, 3), Kokkos::cbrt(radius)};
+        ContactScale<> const scale{radius, velocity(i, 3), 1 / Kokkos::cbrt(radius)};
         ContactMotion<> contact;
         contact.overlap = radius - arm;
         contact.normal = vector_of(list.normal, c);
@@ -237,7 +237,7 @@ template <class Law> struct WallEnergy {
         int const i = list.grain(c);
         PairConstants const& pair = pairs(material(i), walls.body(walls.wall_of_element(list.element(c))).material);
         Real const radius = position(i, 3), overlap = radius - list.force(c, 3);
-        ContactScale<> const scale{radius, velocity(i, 3), Kokkos::cbrt(radius)};
+        ContactScale<> const scale{radius, velocity(i, 3), 1 / Kokkos::cbrt(radius)};
         bool adheres = false;
         if constexpr (Law::adheres) adheres = list.adhering(c);
         StoredEnergy const energy = stored_energy(overlap, adheres, scale, pair);

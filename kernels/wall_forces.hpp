@@ -251,7 +251,7 @@ template <class Law> struct WallContactEvaluation {
         contact.scale = {radius, moving.w, 0};
         ContactState<Lanes> state;
         if constexpr (Law::adheres) {
-            contact.scale.cube_root_of_radius = make_lanes([&](int n) { return Kokkos::cbrt(lane(radius, n)); });
+            contact.scale.inverse_cube_root = make_lanes([&](int n) { return 1 / Kokkos::cbrt(lane(radius, n)); });
             state.adhering = adhering(at);
         }
         LaneRecords const before = load_records(list.normal.data(), at.row); // the normal of the last step, and the side

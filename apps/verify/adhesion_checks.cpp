@@ -26,7 +26,7 @@ PairConstants sand_pair(NormalLaw law, Real factor = 1)
 /// Integral of the tension [J] from S + from_t^2 to A in t = sqrt(overlap / L - that of S), where it is smooth.
 Real peel_work(PairConstants const& pair, ContactScale<> const& scale, Real from_t)
 {
-    Real const length = pair.length_factor * scale.cube_root_of_radius;
+    Real const length = pair.length_factor / scale.inverse_cube_root;
     Real const end = std::sqrt(-jkr_points::overlap_S);
     constexpr int intervals = 2000;
     Real const width = (end - from_t) / intervals;
@@ -59,7 +59,7 @@ std::vector<VerifyCase> check_jkr_points()
         compare({name, "F / F_C at A", source}, force(0), Real(-8) / 9, rounding),
         compare({name, "F / F_C at B", source}, force(points.overlap_B), 0, rounding),
         compare({name, "F / F_C at S", source}, force(points.overlap_S), Real(-5) / 9, at_S),
-        compare({name, "overlap at C [m]", source}, pair.length_factor * scale.cube_root_of_radius * jkr_points::overlap_C,
+        compare({name, "overlap at C [m]", source}, pair.length_factor / scale.inverse_cube_root * jkr_points::overlap_C,
                 -9.256171344e-8, 1e-9),
         compare({name, "contact radius at C [m]", source}, jkr_response(points.overlap_C, scale, pair).contact_radius,
                 3.995859804e-6, 1e-9),
@@ -73,7 +73,7 @@ std::vector<VerifyCase> check_jkr_curve()
     ContactScale<> const scale = contact_scale(sand(), sand_radius, sand_radius);
     JkrPoints const points = jkr_points_of(pair, scale.effective_radius);
     auto const error_at = [&](Real scaled) {
-        Real const length = pair.length_factor * scale.cube_root_of_radius, overlap = scaled * length;
+        Real const length = pair.length_factor / scale.inverse_cube_root, overlap = scaled * length;
         Real const force = jkr_response(overlap, scale, pair).force / points.pull_off_force;
         return static_cast<Real>(std::fabs(force - reference_force(static_cast<long double>(overlap) / length)));
     };
@@ -224,7 +224,7 @@ std::vector<VerifyCase> check_coarse_grained_pair()
         PairConstants const coarse = sand_pair(NormalLaw::jkr, k);
         ContactScale<> const scale = contact_scale(sand(), k * sand_radius, k * sand_radius);
         for (int n = 0; n <= 100; ++n) {
-            Real const overlap = (-0.5 + 0.1 * n) * fine.length_factor * fine_scale.cube_root_of_radius;
+            Real const overlap = (-0.5 + 0.1 * n) * fine.length_factor / fine_scale.inverse_cube_root;
             Real const small = jkr_response(overlap, fine_scale, fine).force;
             Real const large = jkr_response(k * overlap, scale, coarse).force;
             force_error = std::fmax(force_error, std::fabs(large / (k * k) - small) / pull_off);

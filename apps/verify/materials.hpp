@@ -59,9 +59,9 @@ inline Real sphere_mass(MaterialSettings const& material, Real radius)
 inline ContactScale<> contact_scale(MaterialSettings const& material, Real a, Real b)
 {
     Real const mass_a = sphere_mass(material, a);
-    if (!(b > 0)) return {a, mass_a, std::cbrt(a)};
+    if (!(b > 0)) return {a, mass_a, 1 / std::cbrt(a)};
     Real const mass_b = sphere_mass(material, b), radius = a * b / (a + b);
-    return {radius, mass_a * mass_b / (mass_a + mass_b), std::cbrt(radius)};
+    return {radius, mass_a * mass_b / (mass_a + mass_b), 1 / std::cbrt(radius)};
 }
 
 } // namespace arenite

@@ -32,11 +32,18 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N jkr_root(N const& scaled_overla
         1.2599210492641482;
     N const denominator =
         (((0.3239109768047354 * v + 1.8430147453437336) * v + 3.6682784835468767) * v + 3.1183321643698894) * v + 1;
-    // The fit is of z/v; a touch above 0 keeps Newton's slope from vanishing at S itself.
-    N const z = larger(v * (numerator / denominator), N(1e-30));
-    N const value = z * z * ((z + 4 * y_S) * z + 6 * y_S * y_S) - square;
-    N const slope = z * ((4 * z + 12 * y_S) * z + 12 * y_S * y_S);
-    return y_S + larger(z - value / slope, N(0));
+    // The fit is of z/v; a touch above 0 keeps Newton's slope from vanishing at S itself. Newton's step from z = p / q with
+    // both sides multiplied by q^4: one quotient in place of two, one after the other.
+    N const p = larger(v * numerator, N(1e-30)), q = denominator, pp = p * p, pq = p * q, qq = q * q;
+    N const value = pp * (pp + 4 * y_S * pq + 6 * y_S * y_S * qq) - square * (qq * qq);
+    N const slope = p * (4 * pp + 12 * y_S * pq + 12 * y_S * y_S * qq);
+    return y_S + larger((p * slope - value) / (q * slope), N(0));
+}
+
+/// 1 / L, 1/m.
+template <class N> KOKKOS_FORCEINLINE_FUNCTION N jkr_inverse_length(ContactScale<N> const& scale, PairConstants const& pair)
+{
+    return pair.inverse_length_factor * scale.inverse_cube_root;
 }
 
 /// Force and contact radius on the stable branch; overlap may be negative down to delta_S.
@@ -44,12 +51,11 @@ template <class N>
 KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> jkr_response(N const& overlap, ContactScale<N> const& scale,
                                                            PairConstants const& pair)
 {
-    N const cube_root = scale.cube_root_of_radius;
-    N const y = jkr_root(overlap / (pair.length_factor * cube_root));
+    N const y = jkr_root(overlap * jkr_inverse_length(scale, pair));
     N const y3 = y * y * y;
     N const force_unit = std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius;
-    return {force_unit * (Real(4) / 3 * y3 - 4) * y3, pair.radius_factor * cube_root * cube_root * y * y, 3 * force_unit,
-            MaskOf<N>(true)};
+    return {force_unit * (Real(4) / 3 * y3 - 4) * y3,
+            pair.radius_factor * scale.effective_radius * scale.inverse_cube_root * y * y, 3 * force_unit, MaskOf<N>(true)};
 }
 
 /// An adhering contact follows the JKR curve until it snaps at the pair's break point. Full JKR forms one
@@ -61,7 +67,7 @@ struct JkrNormal {
     KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale,
                                                              PairConstants const& pair, MaskOf<N>& adhering) const
     {
-        adhering = adhering && overlap >= pair.break_overlap * pair.length_factor * scale.cube_root_of_radius;
+        adhering = adhering && overlap * jkr_inverse_length(scale, pair) >= pair.break_overlap;
         if (pair.forms_on_touch) adhering = adhering || overlap >= N(0);
         if (!any(adhering)) return HertzNormal{}(overlap, scale, pair, adhering);
         NormalResponse<N> response;

@@ -9,9 +9,9 @@ namespace arenite {
 
 /// A pair's sizes, computed once when the contact list is built.
 template <class N = Real> struct ContactScale {
-    N effective_radius = 0;    // R*, m: 1/R* = 1/R_i + 1/R_j
-    N effective_mass = 0;      // m*, kg
-    N cube_root_of_radius = 0; // R*^(1/3), which the JKR lengths need
+    N effective_radius = 0;  // R*, m: 1/R* = 1/R_i + 1/R_j
+    N effective_mass = 0;    // m*, kg
+    N inverse_cube_root = 0; // R*^(-1/3), m^(-1/3), which the JKR lengths need
 };
 
 template <class N = Real> struct NormalResponse {

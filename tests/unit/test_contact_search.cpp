@@ -229,11 +229,11 @@ TEST(ContactSearch, ListsHoldWhatTheLawNeeds)
             EXPECT_EQ(list.spring.extent(0), history ? rows : 0);
             EXPECT_EQ(list.contact_radius.extent(0), radius ? rows : 0);
             EXPECT_EQ(list.adhering.extent(0), bonds ? rows : 0);
-            EXPECT_EQ(list.cube_root.extent(0), bonds ? rows : 0);
+            EXPECT_EQ(list.inverse_cube_root.extent(0), bonds ? rows : 0);
             if (!bonds) continue;
             auto const scale = Kokkos::create_mirror_view_and_copy(HostSpace(), list.scale);
-            auto const root = Kokkos::create_mirror_view_and_copy(HostSpace(), list.cube_root);
-            for (int c = 0; c < list.count; ++c) EXPECT_DOUBLE_EQ(root(c), std::cbrt(scale(c, 0))) << c;
+            auto const root = Kokkos::create_mirror_view_and_copy(HostSpace(), list.inverse_cube_root);
+            for (int c = 0; c < list.count; ++c) EXPECT_DOUBLE_EQ(root(c), 1 / std::cbrt(scale(c, 0))) << c;
         }
 }
 

@@ -73,7 +73,7 @@ TEST(Jkr, HasTheSandsDimensionalPoints)
     for (SandPoint const& point : sand_points) {
         PairConstants const pair = pair_of(NormalLaw::jkr, point.surface_energy);
         ContactScale<> const scale = scale_of(point.d1, point.d2);
-        Real const length = pair.length_factor * scale.cube_root_of_radius;
+        Real const length = pair.length_factor / scale.inverse_cube_root;
         EXPECT_NEAR(length * jkr_points::overlap_C / point.overlap_C, 1, printed);
         EXPECT_NEAR(length * jkr_points::overlap_B / point.overlap_B, 1, printed);
         EXPECT_NEAR(length * jkr_points::overlap_S / point.overlap_S, 1, printed);
@@ -93,7 +93,7 @@ TEST(Jkr, IsFiniteForEveryOverlap)
 {
     PairConstants const pair = pair_of(NormalLaw::jkr);
     ContactScale<> const scale = scale_of(0.23e-3, 0.23e-3);
-    Real const length = pair.length_factor * scale.cube_root_of_radius;
+    Real const length = pair.length_factor / scale.inverse_cube_root;
     Real const at_S = jkr_root(jkr_points::overlap_S);
     EXPECT_NEAR(at_S, std::cbrt(0.5), 1e-15);
     for (Real const below : {-1e6, -2.0, std::nextafter(jkr_points::overlap_S, -2.0)}) EXPECT_EQ(jkr_root(below), at_S);
@@ -138,12 +138,12 @@ std::pair<Real, ContactState<>> apply(NormalLaw law, Real overlap, bool adhering
     return {force.z, state};
 }
 
-TEST(Jkr, ContactsFormAndBreakAtTheExactOverlap)
+TEST(Jkr, ContactsFormAtTheTouchAndBreakAtTheirOverlapToRounding)
 {
     PairConstants const pair = pair_of(NormalLaw::jkr);
-    Real const root = scale_of(0.23e-3, 0.23e-3).cube_root_of_radius;
-    Real const C = jkr_points::overlap_C * pair.length_factor * root, S = jkr_points::overlap_S * pair.length_factor * root;
-    Real const pull_off = 1.625774198e-2;
+    Real const length = pair.length_factor / scale_of(0.23e-3, 0.23e-3).inverse_cube_root;
+    Real const C = jkr_points::overlap_C * length, S = jkr_points::overlap_S * length;
+    Real const pull_off = 1.625774198e-2, above = 1 - 1e-15, below = 1 + 1e-15;
     struct Case {
         NormalLaw law;
         Real overlap;
@@ -153,18 +153,32 @@ TEST(Jkr, ContactsFormAndBreakAtTheExactOverlap)
     Case const cases[] = {
         {NormalLaw::jkr, 0, false, true, -8 * pull_off / 9}, // a touch makes a contact
         {NormalLaw::jkr, -1e-20, false, false, 0},
-        {NormalLaw::jkr, S, true, true, -5 * pull_off / 9},
-        {NormalLaw::jkr, std::nextafter(S, -1), true, false, 0},
+        {NormalLaw::jkr, S * above, true, true, -5 * pull_off / 9},
+        {NormalLaw::jkr, S * below, true, false, 0},
         {NormalLaw::modified_jkr, 0, false, false, 0},
         {NormalLaw::modified_jkr, 0, true, true, -8 * pull_off / 9},
-        {NormalLaw::modified_jkr, C, true, true, -pull_off},
-        {NormalLaw::modified_jkr, std::nextafter(C, -1), true, false, 0},
+        {NormalLaw::modified_jkr, C * above, true, true, -pull_off},
+        {NormalLaw::modified_jkr, C * below, true, false, 0},
     };
     for (Case const& c : cases) {
         auto const [force, state] = apply(c.law, c.overlap, c.adhered);
         EXPECT_EQ(state.adhering, c.adheres) << c.overlap;
         EXPECT_EQ(state.touching, c.adheres) << c.overlap;
         EXPECT_NEAR(force, c.force, 1e-7 * pull_off) << c.overlap;
+    }
+}
+
+TEST(Jkr, APairWithoutSurfaceEnergyHoldsNoBond)
+{
+    // Grains of different surface energies do not adhere; a stage that bonds what touches marks them like all others.
+    ContactScale<> const scale = scale_of(0.23e-3, 0.23e-3);
+    PairConstants const pair = pair_of(NormalLaw::modified_jkr, 0);
+    for (Real const overlap : {0.0, 1e-8, 1e-6}) {
+        ContactState<> state;
+        state.adhering = true;
+        Vec3 const force = CementedSand{}({{0, 0, 1}, overlap, {}, scale}, pair, state, 1e-8);
+        EXPECT_FALSE(state.adhering) << overlap;
+        EXPECT_EQ(force.z, hertz_response(overlap, scale.effective_radius, pair.effective_youngs_modulus).force) << overlap;
     }
 }
 
