@@ -79,8 +79,6 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         Lanes const square = larger(offset_square, Lanes(1e-60)), distance = square_root(square),
                     inverse_square = 1 / square, inverse = inverse_square * distance;
         ContactGeometry<Lanes> contact;
-        contact.normal = inverse * line;
-        contact.overlap = reach - distance;
         // What the first grain's arm to the plane of contact is of the distance; the arms add up to that. A grain wholly
         // inside another (the first, which is the smaller) has no such plane: its arm stays its radius.
         Lanes const half_difference = Real(0.5) * reach - records_of(position, j).w; // of the radii
@@ -100,8 +98,10 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
             contact.motion = {step.parting * inverse, slip_over(step, share_i * spin_i + (1 - share_i) * spin_j, counted)};
             state.spring = transport_spring(spring, step.turn, Real(0.5) * dt * counted * dot(spin_sum, step.turn.mean));
         } else {
-            contact.motion = surface_motion(approach, contact.normal);
+            contact.motion = surface_motion(approach, inverse * line);
         }
+        contact.normal = inverse * line; // not earlier: the motion takes all registers that there are
+        contact.overlap = reach - distance;
         Lanes const arm_i = share_i * distance, arm_j = distance - arm_i;
         store(c, contact, force_of(contact, i, j, state), state, arm_i, arm_j);
     }
