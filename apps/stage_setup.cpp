@@ -148,9 +148,10 @@ void go_back(StageSetup& setup, RunState& state, int steps)
     for (std::int64_t step = setup.known.step; step < state.clock.step; ++step) advance_walls(setup, state);
 }
 
-/// How long the list has lasted, of how long a list with this skin s should last. A skin costs a step 1.8 s/d of its time,
-/// in candidates that do not touch, and a search costs as much as 20 steps (d: the smallest diameter; pack of 33 752
-/// grains). Both together are least where they are equal: a list should last 10 d/s steps.
+/// How long the list has lasted, of how long a list with this skin s should last. A skin costs a step 0.3 s/d of its time,
+/// in candidates that do not touch, and a search as much as 16 steps (d: the smallest diameter; pack of 33 752 grains, JKR,
+/// one thread, Zen 3, ea8d7fa). Both together are least where they are equal, with lists of 53 d/s steps. Shorter ones of
+/// balanced_list_age d/s steps cost an eighth of that more and keep less in memory.
 Real age_of_list(StageSetup const& setup, RunState const& state)
 {
     return static_cast<Real>(state.clock.step - state.last_search) * state.skin /
