@@ -23,7 +23,7 @@ struct GrainStep {
     Kokkos::View<int, MemorySpace> stale_step;
     Kokkos::View<int, PinnedSpace> notice;
     StepGate gate;
-    bool has_walls, has_applied, has_fluid, others_act; // others: applied and fluid forces, damping
+    bool has_walls, has_applied, has_fluid;
 
     /// Force and torque of a grain. The fourth numbers are any, but finite.
     struct Load {
@@ -87,22 +87,20 @@ struct GrainStep {
     KOKKOS_FORCEINLINE_FUNCTION Load load(int i, Quad const& velocity, Quad const& spin) const
     {
         Load sum = gather(i);
-        if (others_act) {
-            if (has_fluid) sum.force += read(grains.fluid_force, i);
-            if (has_applied) sum.force += read(grains.applied_force, i);
-        }
-        sum.force += record(grains.velocity, i)[3] * gravity; // of the mass
-        if (others_act && settings.local_damping > 0) {
+        if (has_fluid) sum.force += read(grains.fluid_force, i);
+        if (has_applied) sum.force += read(grains.applied_force, i);
+        sum.force += velocity[3] * gravity; // of the mass
+        if (settings.local_damping > 0) {
             sum.force = sum.force - along(velocity, settings.local_damping * magnitude(sum.force));
             sum.torque = sum.torque - along(spin, settings.local_damping * magnitude(sum.torque));
         }
         return sum;
     }
 
-    /// What half a kick adds to the record of velocity or spin of grain i.
-    KOKKOS_FORCEINLINE_FUNCTION Quad half_kick(RecordView const& view, int i, Quad const& load) const
+    /// What half a kick adds to a record of velocity or spin.
+    KOKKOS_FORCEINLINE_FUNCTION Quad half_kick(Quad const& motion, Quad const& load) const
     {
-        return three_times(half_dt / record(view, i)[3]) * load;
+        return three_times(half_dt / motion[3]) * load;
     }
 
     /// not_finite: 0, or NaN to say that a force is not.
@@ -137,8 +135,8 @@ struct Kick : GrainStep {
         write(three_times(1) * sum.force, grains.force, i);
         write(three_times(1) * sum.torque, grains.torque, i);
         if (grains.motion(i) != Motion::free) return;
-        write(velocity + half_kick(grains.velocity, i, sum.force), grains.velocity, i);
-        write(spin + half_kick(grains.spin, i, sum.torque), grains.spin, i);
+        write(velocity + half_kick(velocity, sum.force), grains.velocity, i);
+        write(spin + half_kick(spin, sum.torque), grains.spin, i);
     }
 };
 
@@ -148,9 +146,10 @@ struct Drift : GrainStep {
         Quad velocity = read(grains.velocity, i);
         Motion const motion = grains.motion(i);
         if (motion == Motion::free) {
-            velocity += half_kick(grains.velocity, i, read(grains.force, i));
+            Quad const spin = read(grains.spin, i);
+            velocity += half_kick(velocity, read(grains.force, i));
             write(velocity, grains.velocity, i);
-            write(read(grains.spin, i) + half_kick(grains.spin, i, read(grains.torque, i)), grains.spin, i);
+            write(spin + half_kick(spin, read(grains.torque, i)), grains.spin, i);
         }
         move(i, motion, velocity, Quad{});
     }
@@ -164,7 +163,7 @@ struct KickAndDrift : GrainStep {
         Load const sum = load(i, velocity, spin);
         Motion const motion = grains.motion(i);
         if (motion == Motion::free) {
-            Quad const kick = half_kick(grains.velocity, i, sum.force), turn = half_kick(grains.spin, i, sum.torque);
+            Quad const kick = half_kick(velocity, sum.force), turn = half_kick(spin, sum.torque);
             velocity = velocity + kick + kick;
             write(velocity, grains.velocity, i);
             write(spin + turn + turn, grains.spin, i);
@@ -193,7 +192,6 @@ template <class Step> void launch(char const* name, GrainStep const& step)
 GrainStep make_step(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
                     ContactList const& contacts, WallForceRows const& walls)
 {
-    bool const has_applied = particles.applied_force.is_allocated(), has_fluid = particles.fluid_force.is_allocated();
     return {settings,
             Real(0.5) * settings.dt,
             three_times(settings.dt),
@@ -209,9 +207,8 @@ GrainStep make_step(Integrator const& integrator, StepSettings const& settings, 
             integrator.notice,
             integrator.gate(),
             walls.begin.extent(0) > 0,
-            has_applied,
-            has_fluid,
-            has_applied || has_fluid || settings.local_damping > 0};
+            particles.applied_force.is_allocated(),
+            particles.fluid_force.is_allocated()};
 }
 
 } // namespace
