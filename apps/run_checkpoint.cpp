@@ -68,11 +68,11 @@ template <class State, class Function> void for_each_contact_array(State& state,
     f("contacts/force", state.contacts.force);
 }
 
-/// A copy without the rows beyond the last contact: what the kernels leave there is no part of the state.
-template <class ViewType> ViewType rows_of_contacts(ViewType const& view, int contacts)
+/// A copy of the first rows: what lies beyond them is no part of the state.
+template <class ViewType> ViewType first_rows(ViewType const& view, int count)
 {
-    ViewType const rows(uninitialized(view.label()), contacts);
-    auto const range = Kokkos::make_pair(0, contacts);
+    ViewType const rows(uninitialized(view.label()), count);
+    auto const range = Kokkos::make_pair(0, count);
     if constexpr (ViewType::rank == 1) Kokkos::deep_copy(rows, Kokkos::subview(view, range));
     else Kokkos::deep_copy(rows, Kokkos::subview(view, range, Kokkos::ALL));
     return rows;
@@ -186,13 +186,8 @@ void save_fluid(CheckpointWriter& out, FluidState& fluid)
     out.value("coupled/count", coupled.count);
     out.value("coupled/digest", static_cast<std::int64_t>(coupled.digest));
     if (coupled.count > 0) {
-        auto const rows = Kokkos::make_pair(0, coupled.count);
-        View1<GrainId> const id("coupled_id", coupled.count);
-        RecordView const position("coupled_position", coupled.count);
-        Kokkos::deep_copy(id, Kokkos::subview(coupled.id, rows));
-        Kokkos::deep_copy(position, Kokkos::subview(coupled.position, rows, Kokkos::ALL));
-        out.array("coupled/id", id);
-        out.array("coupled/position", position);
+        out.array("coupled/id", first_rows(coupled.id, coupled.count));
+        out.array("coupled/position", first_rows(coupled.position, coupled.count));
     }
 }
 
@@ -255,7 +250,7 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
         if (view.is_allocated()) out.array(name, view);
     });
     for_each_contact_array(state, [&](std::string const& name, auto const& view) {
-        if (view.is_allocated()) out.array(name, rows_of_contacts(view, state.contacts.count));
+        if (view.is_allocated()) out.array(name, first_rows(view, state.contacts.count));
     });
     out.array("particles/motion", motion_bytes(state.particles));
     if (state.energy) save_energy(out, *state.energy);

@@ -361,12 +361,6 @@ template <class Quads> KOKKOS_FORCEINLINE_FUNCTION LaneRecords turned(Quads cons
 #endif
 }
 
-/// Record `quads[n]` in lane n.
-KOKKOS_FORCEINLINE_FUNCTION LaneRecords lanes_of(Quad const (&quads)[lane_count])
-{
-    return turned([&](int n) { return quads[n]; });
-}
-
 /// Record `rows[n]` of four numbers each in lane n.
 KOKKOS_FORCEINLINE_FUNCTION LaneRecords load_records(Real const* records, int const* rows)
 {

@@ -160,6 +160,13 @@ Vec3 turned(Vec3 const& v, Vec3 const& axis, Real angle)
     return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
 }
 
+/// m, of a system with one contact.
+Vec3 only_spring(GrainSystem const& system)
+{
+    ListedPair const pair = listed_pairs(system)[0];
+    return {pair.spring[0], pair.spring[1], pair.spring[2]};
+}
+
 struct TurnDrift {
     Real size, direction; // of the tangential force, relative, per turn
 };
@@ -177,13 +184,9 @@ TurnDrift turn_loaded_pair(Vec3 const& axis, Vec3 const& loading_spin)
     settings.skin = radius / 10;
     settings.dt = 1e-8;
     GrainSystem system = make_system(settings);
-    auto const shear = [&] {
-        ListedPair const pair = listed_pairs(system)[0];
-        return Vec3{pair.spring[0], pair.spring[1], pair.spring[2]};
-    };
     for (GrainId id : {0, 1}) place(system, id, id == 0 ? start : -start, {}, loading_spin);
     evaluate(system);
-    Vec3 const loaded = shear();
+    Vec3 const loaded = only_spring(system);
     Real const rate = 2 * pi / steps_per_turn / settings.dt;
     for (int n = 1; n <= turns * steps_per_turn; ++n) {
         Vec3 const before = turned(start, axis, 2 * pi * (n - 1) / steps_per_turn);
@@ -191,7 +194,7 @@ TurnDrift turn_loaded_pair(Vec3 const& axis, Vec3 const& loading_spin)
         for (GrainId id : {0, 1}) place(system, id, id == 0 ? here : -here, id == 0 ? velocity : -velocity, rate * axis);
         evaluate(system);
     }
-    Vec3 const after = shear();
+    Vec3 const after = only_spring(system);
     return {std::fabs(norm(after) / norm(loaded) - 1) / turns, norm(after - loaded) / norm(loaded) / turns};
 }
 
@@ -294,8 +297,7 @@ Real slip_of_unequal_gears(Real small_speed, Real large_speed)
     settings.dt = 1e-7;
     GrainSystem system = make_system(settings);
     evaluate(system);
-    ListedPair const pair = listed_pairs(system)[0];
-    return norm(Vec3{pair.spring[0], pair.spring[1], pair.spring[2]});
+    return norm(only_spring(system));
 }
 
 } // namespace
