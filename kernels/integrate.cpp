@@ -253,8 +253,8 @@ bool says_stale(Integrator const& integrator)
 
 int take_stale(Integrator& integrator)
 {
-    int stale = StepGate::none;
-    Kokkos::deep_copy(stale, integrator.stale_step);
+    ExecutionSpace().fence("steps that were launched"); // then the notice says all
+    int const stale = integrator.notice();
     int const launched = integrator.step;
     integrator.step = 0;
     if (stale == StepGate::none) return -1;

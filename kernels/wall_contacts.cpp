@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/to_device.hpp"
+#include "core/work_array.hpp"
 
 #include <Kokkos_Sort.hpp>
 
@@ -203,6 +204,8 @@ void find_blocks(Walls const& walls, WallContacts& contacts)
         KOKKOS_LAMBDA(int s) { wall(s) = wall_of(element(first(s))); });
     auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), wall);
     contacts.wall_of_superblock.assign(host.data(), host.data() + contacts.superblocks);
+    fit(contacts.block_sum, "wall_block_sum", contacts.blocks);
+    fit(contacts.superblock_sum, "wall_superblock_sum", contacts.superblocks);
 }
 
 } // namespace
@@ -215,6 +218,8 @@ void search_wall_contacts(Particles const& particles, Walls const& walls, Real s
     contacts = WallContacts{};
     contacts.needs = needs;
     contacts.skin = skin;
+    contacts.block_sum = old.block_sum;
+    contacts.superblock_sum = old.superblock_sum;
     contacts.begin = View1<int>("wall_contact_begin", particles.count + 1);
     for (WallState const& state : walls.state) contacts.reference_pose.push_back(pose_of(state));
     if (walls.count() > 0 && particles.count > 0) {

@@ -33,8 +33,13 @@ struct WallContactRows {
     int blocks = 0, superblocks = 0;
 };
 
+/// Force, torque, stiffness and impedance as WallReaction has them.
+template <class Space> using WallSums = Kokkos::View<Real* [8], Kokkos::LayoutRight, Space>;
+
 struct WallContacts : WallContactRows {
     std::vector<int> wall_of_superblock;
+    WallSums<MemorySpace> block_sum;      // [block] where measure_walls works, kept from search to search
+    WallSums<PinnedSpace> superblock_sum; // [superblock]
     std::vector<WallPose> reference_pose; // [wall] when the list was built; see wall_displacement
 };
 

@@ -4,11 +4,9 @@
 namespace arenite {
 namespace {
 
-using Sums = Kokkos::View<Real* [8], Kokkos::LayoutRight, MemorySpace>; // force, torque, stiffness, impedance
-
-Sums sum_blocks(Particles const& particles, Walls const& walls, WallContacts const& contacts)
+void sum_blocks(Particles const& particles, Walls const& walls, WallContacts const& contacts)
 {
-    Sums const sums(uninitialized("wall_block_sums"), contacts.blocks);
+    WallSums<MemorySpace> const sums = contacts.block_sum;
     WallContactRows const list = contacts;
     WallViews const views = walls.views;
     RecordView const position = particles.position, velocity = particles.velocity;
@@ -35,13 +33,13 @@ Sums sum_blocks(Particles const& particles, Walls const& walls, WallContacts con
             sums(b, 6) = stiffness;
             sums(b, 7) = impedance;
         });
-    return sums;
 }
 
 /// Sums the blocks that lie in each superblock; both are given by their first rows, ascending.
-Sums sum_superblocks(Sums const& blocks, WallContacts const& contacts)
+void sum_superblocks(WallContacts const& contacts)
 {
-    Sums const sums("wall_superblock_sums", contacts.superblocks);
+    WallSums<MemorySpace> const blocks = contacts.block_sum;
+    WallSums<PinnedSpace> const sums = contacts.superblock_sum;
     View1<int> const block = contacts.block, superblock = contacts.superblock;
     int const block_count = contacts.blocks;
     Kokkos::parallel_for(
@@ -52,10 +50,11 @@ Sums sum_superblocks(Sums const& blocks, WallContacts const& contacts)
                 if (block(middle) < superblock(s)) low = middle + 1;
                 else high = middle;
             }
+            Real sum[8] = {};
             for (int b = low; b < block_count && block(b) < superblock(s + 1); ++b)
-                for (int n = 0; n < 8; ++n) sums(s, n) += blocks(b, n);
+                for (int n = 0; n < 8; ++n) sum[n] += blocks(b, n);
+            for (int n = 0; n < 8; ++n) sums(s, n) = sum[n];
         });
-    return sums;
 }
 
 } // namespace
@@ -65,14 +64,16 @@ std::vector<WallReaction> measure_walls(Particles const& particles, Walls const&
     Phase const phase("wall reactions");
     std::vector<WallReaction> reactions(walls.count());
     if (contacts.count == 0) return reactions;
-    Sums const sums = sum_superblocks(sum_blocks(particles, walls, contacts), contacts);
-    auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), sums);
+    sum_blocks(particles, walls, contacts);
+    sum_superblocks(contacts);
+    ExecutionSpace().fence("wall reactions"); // then the host sees what the device wrote
+    WallSums<PinnedSpace> const& sums = contacts.superblock_sum;
     for (int s = 0; s < contacts.superblocks; ++s) {
         WallReaction& r = reactions[contacts.wall_of_superblock[s]];
-        r.force += Vec3{host(s, 0), host(s, 1), host(s, 2)};
-        r.torque += Vec3{host(s, 3), host(s, 4), host(s, 5)};
-        r.stiffness += host(s, 6);
-        r.impedance += host(s, 7);
+        r.force += Vec3{sums(s, 0), sums(s, 1), sums(s, 2)};
+        r.torque += Vec3{sums(s, 3), sums(s, 4), sums(s, 5)};
+        r.stiffness += sums(s, 6);
+        r.impedance += sums(s, 7);
     }
     return reactions;
 }

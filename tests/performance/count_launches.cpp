@@ -31,6 +31,7 @@ struct StageCount {
     std::int64_t steps = 0, searches = 0, launches = 0, waits = 0; // of steps that do not search
     std::int64_t unexplained_waits = 0;                            // nor stop, nor serve a servo
     int most_launches = 0;                                         // of these
+    std::int64_t servo_steps = 0, servo_waits = 0;                 // that do not stop
 };
 
 struct Listener {
@@ -48,7 +49,12 @@ void count_step(StageCount& stage, Step const& step)
     if (step.searches) return;
     stage.launches += step.launches;
     stage.waits += step.waits;
-    if (step.stops || step.servos) return;
+    if (step.stops) return;
+    if (step.servos) {
+        ++stage.servo_steps;
+        stage.servo_waits += step.waits;
+        return;
+    }
     stage.unexplained_waits += step.waits;
     stage.most_launches = std::max(stage.most_launches, step.launches);
 }
@@ -148,6 +154,16 @@ TEST(CountLaunches, AGrainStepIsAtMostSixLaunches)
 TEST(CountLaunches, TheHostWaitsOnlyWhereItLooks)
 {
     for (auto const& [name, stage] : counts()) EXPECT_EQ(stage.unexplained_waits, 0) << name;
+}
+
+TEST(CountLaunches, AServoWaitsTwiceALook)
+{ // for the steps that were launched, since it may be that some did nothing, and for what the walls feel
+    std::int64_t looks = 0;
+    for (auto const& [name, stage] : counts()) {
+        looks += stage.servo_steps;
+        EXPECT_EQ(stage.servo_waits, 2 * stage.servo_steps) << name;
+    }
+    EXPECT_GT(looks, 1000);
 }
 
 } // namespace
