@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/bench_limits.hpp"
 
+#include "apps/seconds_of.hpp"
 #include "core/lanes.hpp"
 #include "core/types.hpp"
 
@@ -13,17 +14,16 @@ namespace {
 /// Seconds of one run of the kernel, best of five trials; each of them repeats it for a twentieth of a second.
 template <class Kernel> double best_time(char const* name, int items, Kernel const& kernel)
 {
-    using Now = std::chrono::steady_clock;
     double best = 1e30;
     for (int trial = 0; trial < 6; ++trial) { // the first touches the memory
         Kokkos::fence();
-        auto const begin = Now::now();
+        auto const begin = std::chrono::steady_clock::now();
         double seconds = 0;
         int calls = 0;
         for (; seconds < 0.05; ++calls) {
             Kokkos::parallel_for(name, RangePolicy(0, items), kernel);
             Kokkos::fence();
-            seconds = std::chrono::duration<double>(Now::now() - begin).count();
+            seconds = seconds_since(begin);
         }
         best = std::min(best, seconds / calls);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/kernel_times.hpp"
 
+#include "apps/seconds_of.hpp"
 #include "core/error.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -34,8 +35,6 @@ struct Listener {
     std::vector<Open> open;
 };
 Listener listener; // Kokkos' callbacks are plain functions
-
-double seconds_since(Now::time_point begin) { return std::chrono::duration<double>(Now::now() - begin).count(); }
 
 void enter(Table& table, std::string const& name) { listener.open.push_back({&table[name], Now::now()}); }
 

@@ -4,6 +4,7 @@
 #include "apps/history_columns.hpp"
 #include "apps/run_checkpoint.hpp"
 #include "apps/sample.hpp"
+#include "apps/seconds_of.hpp"
 #include "apps/stage_watch.hpp"
 #include "io/checkpoint_folder.hpp"
 #include "io/wall_surfaces.hpp"
@@ -19,8 +20,6 @@
 namespace arenite {
 namespace {
 
-using Seconds = std::chrono::duration<double>;
-
 HistoryColumns columns_of(Scene const& scene)
 {
     HistoryColumns columns;
@@ -34,11 +33,6 @@ std::int64_t steps_of(Real interval, Real dt)
 {
     constexpr Real never = 1e15; // steps; what is beyond fits no integer
     return interval > 0 ? std::max<std::int64_t>(1, std::llround(std::min(interval / dt, never))) : 0;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start)
-{
-    return Seconds(std::chrono::steady_clock::now() - start).count();
 }
 
 } // namespace

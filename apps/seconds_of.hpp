@@ -7,6 +7,11 @@
 
 namespace arenite {
 
+inline double seconds_since(std::chrono::steady_clock::time_point begin)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 /// Wall time of the work, s; what was launched before is over when it begins, and what it launches when it ends.
 template <class Work> double seconds_of(Work const& work)
 {
@@ -14,7 +19,7 @@ template <class Work> double seconds_of(Work const& work)
     auto const begin = std::chrono::steady_clock::now();
     work();
     Kokkos::fence();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return seconds_since(begin);
 }
 
 } // namespace arenite

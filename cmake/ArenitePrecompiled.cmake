@@ -1,7 +1,7 @@
 # Reading Kokkos' headers is a third to a half of what compiling one of our sources takes: GCC reads them once, for all
-# targets that link arenite_core. (nvcc does not reuse what it has read. The test headers_alone parses without this, and so
-# does the CUDA build: a source that forgets an include is found there. GCC 12 forgets that such headers are the system's,
-# whose warnings it keeps to itself; so not where warnings are errors.)
+# targets that link arenite_core. (nvcc does not reuse what it has read; see AreniteDeviceSources.cmake. The test
+# headers_alone parses headers without this, and the debug preset the sources: one that forgets an include is found there.
+# GCC 12 forgets that such headers are the system's, whose warnings it keeps to itself; so not where warnings are errors.)
 option(ARENITE_PRECOMPILE_HEADERS "Read Kokkos' headers once for all sources (GCC)" ON)
 
 function(arenite_precompile_headers target)

@@ -13,8 +13,8 @@ namespace {
 constexpr int chunk_entries = 256;
 constexpr int rows_of_team = 16, lanes_of_team = 8; // of threads, while a chunk is summed
 constexpr int team = rows_of_team * lanes_of_team;
-constexpr int lanes_of_cell = 16;               // threads a component, while a cell's sum is added up
-constexpr long long partial_limit = 16'000'000; // reals (128 MB) of sums of chunks held at once
+constexpr int lanes_of_cell = 16;             // threads a component, while a cell's sum is added up
+constexpr long long chunk_limit = 16'000'000; // reals (128 MB) of sums of chunks held at once
 
 // Threads of a team. On a host, where only tests come, one does what a team would.
 constexpr int sum_threads = on_host ? 1 : team;
@@ -161,7 +161,7 @@ long long partial_of_chunk(DepositStencil const& stencil, int components)
 int chunks_at_once(DepositStencil const& stencil, int chunks, int components)
 {
     return static_cast<int>(
-        std::clamp<long long>(partial_limit / partial_of_chunk(stencil, components), 1, std::max(1, chunks)));
+        std::clamp<long long>(chunk_limit / partial_of_chunk(stencil, components), 1, std::max(1, chunks)));
 }
 
 template <int components> void deposit_chunks(GrainWeights const& weights, TableView const& quantity, TableView const& cell)

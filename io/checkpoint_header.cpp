@@ -22,7 +22,6 @@ namespace {
 constexpr std::string_view first_line = "arenite checkpoint format ";
 constexpr int format = 4;
 constexpr std::size_t least_room = 512, most_room = 1 << 20; // a stage's name may be long
-constexpr char const* what_now = "; it cannot be used, take an earlier checkpoint";
 
 [[noreturn]] void refuse(std::filesystem::path const& path, std::string const& what)
 {

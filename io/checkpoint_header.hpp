@@ -15,6 +15,9 @@ struct CheckpointHeader {
     std::uint64_t checksum = 0; // of the HDF5 part
 };
 
+/// Ends every message about a checkpoint that is damaged.
+inline constexpr char const* what_now = "; it cannot be used, take an earlier checkpoint";
+
 /// Bytes to leave in front, as HDF5 wants them: a power of two.
 std::size_t header_room(CheckpointStamp const& stamp);
 

@@ -27,8 +27,6 @@ struct CheckpointReader::File {
 
 namespace {
 
-constexpr char const* what_now = "; it cannot be used, take an earlier checkpoint";
-
 herr_t collect_names(hid_t, char const* name, H5O_info_t const* info, void* result)
 {
     if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(result)->emplace_back(name);

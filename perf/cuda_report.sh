@@ -22,7 +22,8 @@ done
 LAUNCHER
 chmod +x "$build/keep_report.sh"
 
-cmake -S "$root" -B "$build" --preset bare-cuda -DARENITE_ENABLE_TESTS=OFF -DCMAKE_CUDA_FLAGS=-Xptxas=-v \
+cmake -S "$root" -B "$build" --preset bare-cuda -DARENITE_ENABLE_TESTS=OFF \
+    -DARENITE_CUDA_SOURCES_TOGETHER=1 -DCMAKE_CUDA_FLAGS=-Xptxas=-v \
     -DCMAKE_CUDA_COMPILER_LAUNCHER="$build/keep_report.sh" >"$build/configure.log" ||
     { cat "$build/configure.log" >&2; exit 1; }
 # The libraries of the step, and the one file that instantiates the contact laws.

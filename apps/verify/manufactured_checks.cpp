@@ -14,14 +14,14 @@ namespace arenite {
 namespace {
 
 using Wide = long double;
-constexpr Wide pi = 3.14159265358979323846264338327950288L, a = 2 * pi;
+constexpr Wide a = 2 * 3.14159265358979323846264338327950288L;
 
 Wide porosity(Wide x, Wide y) { return sinl(a * x) * sinl(a * y) / 4 + 0.5L; }
 Wide pressure(Wide x, Wide y) { return sinl(a * y) * cosl(a * x); }
 /// Components of n u: divergence-free.
 Wide flux(int component, Wide x, Wide y)
 {
-    return component == 0 ? (3 - a * sinl(a * y) * cosl(a * x)) / 10 : (1 + pi * sinl(a * x) * cosl(a * y)) / 5;
+    return component == 0 ? (3 - a * sinl(a * y) * cosl(a * x)) / 10 : (1 + a / 2 * sinl(a * x) * cosl(a * y)) / 5;
 }
 Wide velocity(int component, Wide x, Wide y) { return flux(component, x, y) / porosity(x, y); }
 

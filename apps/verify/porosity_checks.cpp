@@ -25,11 +25,11 @@ FluidSettings column_settings(int cells)
     return settings;
 }
 
-struct Bed {
+struct Layer {
     Real porosity, gradient; // -, Pa/m at U
 };
 
-Real drag_of(Bed const& bed) { return bed.gradient * bed.porosity * bed.porosity / U; }
+Real drag_of(Layer const& bed) { return bed.gradient * bed.porosity * bed.porosity / U; }
 
 struct JumpErrors {
     Real flux = 0;      // largest |n u - U| / U
@@ -38,7 +38,7 @@ struct JumpErrors {
 };
 
 /// Steady flow through `below` and, from half the height on, `above`; thick: cells of `above`, 0 to the top.
-JumpErrors flow_through_jump(Bed below, Bed above, int thick)
+JumpErrors flow_through_jump(Layer below, Layer above, int thick)
 {
     int const cells = 24;
     FluidCase c = make_fluid_case(column_settings(cells), true);
@@ -68,10 +68,10 @@ std::vector<VerifyCase> check_porosity_jumps()
 {
     struct Case {
         std::string name;
-        Bed below, above;
+        Layer below, above;
         int thick;
     };
-    Bed const clear{1, 0}, dense{0.41, 1318.6683}, loose{0.60, 149.58775};
+    Layer const clear{1, 0}, dense{0.41, 1318.6683}, loose{0.60, 149.58775};
     std::vector<VerifyCase> rows;
     for (Case const& c :
          {Case{"1 | 0.41", clear, dense, 0}, Case{"0.41 | 1", dense, clear, 0}, Case{"0.41 | 0.60", dense, loose, 0},
