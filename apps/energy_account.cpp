@@ -71,7 +71,7 @@ void begin_step(StageSetup const& setup, RunState& state)
     // Walls and a deforming box have one velocity for the whole step (a servo sets another for the next): the forces at
     // the step's begin work on that one too.
     WorkArray& power = state.energy->power;
-    if (setup.walls_move) power[Work::walls] = setup.forces.wall_power({}, setup.step.box_lower).walls;
+    if (setup.walls_move) power[Work::walls] = setup.forces.wall_work();
     if (setup.carrier >= 0 || setup.planned->settings.box) power[Work::box] = box_power(state.box, state.energy->virial);
 }
 

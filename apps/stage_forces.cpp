@@ -54,6 +54,10 @@ void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunSt
             },
             wall_law);
     };
+    forces.wall_work = [&state] {
+        return reproducible_sums<1>(state.sums, "wall_work", state.wall_contacts.count,
+                                    WallWork{state.wall_contacts, state.walls.views, state.particles.position})[0];
+    };
     forces.stored = [&state, law, wall_law] {
         Terms<3> const pairs = std::visit([&](auto const& l) { return pair_energies(l, state); }, law);
         Terms<3> const walls = std::visit([&](auto const& l) { return wall_energies(l, state); }, wall_law);
@@ -73,6 +77,8 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
 
     StageForces forces;
     forces.needs = contact_needs(law, pairs);
+    // With the radius the balance sheet need not run the normal law a second time.
+    if (planned.keeps_balance) forces.needs.contact_radius = forces.needs.history;
     forces.wall_needs = contact_needs(wall_law, planned.wall_pairs);
     std::function<void(Real)> const on_grains = std::visit(
         [&state](auto const& l) -> std::function<void(Real)> {

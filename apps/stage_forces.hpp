@@ -18,6 +18,7 @@ struct StageForces {
     // For a balance sheet. adhered: the contacts' flags before the last evaluation; origin: of the box's strain, m.
     std::function<ContactPower(View1<std::uint8_t> const& adhered)> pair_power;
     std::function<ContactPower(View1<std::uint8_t> const& adhered, Vec3 const& origin)> wall_power;
+    std::function<Real()> wall_work;      // W of moving walls on the grains: wall_power's `walls` alone
     std::function<StoredEnergy()> stored; // of all contacts, walls included
 };
 

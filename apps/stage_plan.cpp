@@ -235,6 +235,7 @@ StagePlan make_stage_plan(Scene const& scene)
         if (!(planned.dt > 0) && planned.settings.fluid) planned.dt = scene.fluid->time_step; // a fluid alone
         planned.coupling_interval = settled_coupling_interval(scene, planned);
         planned.form_bonds = is_modified(planned.settings) && planned.settings.form_bonds.value_or(!was_modified);
+        planned.keeps_balance = scene.output.energies;
         if (moves) was_modified = is_modified(planned.settings);
     }
     return plan;

@@ -22,6 +22,7 @@ struct PlannedStage {
     Real dt = 0;                                  // s
     int coupling_interval = 0;                    // grain steps per fluid step; 0 without fluid
     bool form_bonds = false;                      // touching contacts become bonds at the start
+    bool keeps_balance = false;                   // of energies
     std::vector<PairConstants> pairs, wall_pairs; // [material][material]
 };
 

@@ -5,11 +5,19 @@
 // it is a block of terms that a team of fixed size sums, since a few thousand terms must occupy more than a few threads.
 #pragma once
 
+#include "core/lanes.hpp"
 #include "core/types.hpp"
+
+#include <type_traits>
+#include <utility>
 
 namespace arenite {
 
 template <int N> using Terms = Kokkos::Array<Real, N>;
+
+/// The same of as many items as there are lanes; and N numbers in records of four, with as many zeros as fill the last one.
+template <int N> using LaneTerms = Kokkos::Array<Lanes, N>;
+template <int N> using QuadTerms = Kokkos::Array<Quad, (N + 3) / 4>;
 
 /// Scratch of the sums, reused so that a sum in a time loop does not allocate.
 struct SumWorkspace {
@@ -26,6 +34,15 @@ constexpr int team = 256, block = 4 * team; // threads, and terms that they sum
 
 inline int part_count(int terms) { return on_host ? (terms + chunk - 1) / chunk : (terms + block - 1) / block; }
 
+template <class T> struct Summand {
+    static constexpr int numbers = 1;
+    KOKKOS_FORCEINLINE_FUNCTION static Real number(T const& sum, int) { return sum_of_lanes(sum); }
+};
+template <> struct Summand<Quad> {
+    static constexpr int numbers = 4;
+    KOKKOS_FORCEINLINE_FUNCTION static Real number(Quad const& sum, int n) { return sum[n]; }
+};
+
 // Kernels in headers are structs, not lambdas: nvcc keeps part of an extended lambda's type to each source file, and a
 // function that several of them share would call what another one made.
 template <int N, class Term> struct ChunkSum {
@@ -33,18 +50,28 @@ template <int N, class Term> struct ChunkSum {
     int terms;
     View1<Real> partial;
 
+    using Values = std::decay_t<decltype(std::declval<Term const&>()(0))>;
+    using Value = typename Values::value_type;
+    static constexpr int values = static_cast<int>(Values::size()), numbers = Summand<Value>::numbers;
+    // Vectors are sums side by side by themselves, and there are not registers for more.
+    static constexpr int lanes = std::is_same_v<Value, Real> ? reproducible::lanes : 1;
+
     KOKKOS_FUNCTION void operator()(int c) const
     {
-        Real sum[lanes][N] = {};
+        Value sum[lanes][values] = {};
         for (int which = 0; which < chunk; which += lanes) {
             for (int lane = 0; lane < lanes; ++lane) {
                 int const i = c * chunk + which + lane;
                 if (i >= terms) continue;
-                Terms<N> const value = term(i);
-                for (int n = 0; n < N; ++n) sum[lane][n] += value[n];
+                Values const value = term(i);
+                for (int n = 0; n < values; ++n) sum[lane][n] += value[n];
             }
         }
-        for (int n = 0; n < N; ++n) partial(c * N + n) = (sum[0][n] + sum[1][n]) + (sum[2][n] + sum[3][n]);
+        for (int n = 0; n < N; ++n) {
+            auto const of = [&](int lane) { return Summand<Value>::number(sum[lane][n / numbers], n % numbers); };
+            if constexpr (lanes == 4) partial(c * N + n) = (of(0) + of(1)) + (of(2) + of(3));
+            else partial(c * N + n) = of(0);
+        }
     }
 };
 
@@ -59,8 +86,10 @@ template <int N, class Term> struct BlockSum {
         int const part = member.league_rank(), end = Kokkos::min(terms, (part + 1) * span);
         Real sum[N] = {};
         for (int i = part * span + member.team_rank(); i < end; i += team) {
-            Terms<N> const value = term(i);
-            for (int n = 0; n < N; ++n) sum[n] += value[n];
+            auto const value = term(i);
+            using Value = std::decay_t<decltype(value[0])>;
+            constexpr int numbers = Summand<Value>::numbers;
+            for (int n = 0; n < N; ++n) sum[n] += Summand<Value>::number(value[n / numbers], n % numbers);
         }
         for (int n = 0; n < N; ++n) {
             member.team_reduce(Kokkos::Sum<Real>(sum[n]));
@@ -108,8 +137,9 @@ struct Entries {
 
 } // namespace reproducible
 
-/// N sums at once over i = 0 .. count - 1 of term(i), a device functor that returns Terms<N> and may write what belongs to
-/// i. They go to `to`, memory that both the device and, on a host, the caller can reach; nobody waits for a device.
+/// N sums at once over i = 0 .. count - 1 of term(i), a device functor that returns Terms<N>, LaneTerms<N> or QuadTerms<N>
+/// and may write what belongs to i. They go to `to`, memory that both the device and, on a host, the caller can reach;
+/// nobody waits for a device.
 template <int N, class Term>
 void reproducible_sums_to(Real* to, SumWorkspace& workspace, char const* label, int count, Term const& term)
 {

@@ -62,7 +62,8 @@ KOKKOS_FUNCTION inline StoredEnergy stored_energy(Real overlap, bool adheres, Co
 template <class N = Real> struct ContactMotion {
     Vector<N> normal, force, velocity; // velocity: of the first body's centre relative to the second's (or to the wall)
     N total = 0;                       // W, with spins
-    N overlap = 0;
+    N overlap = 0, contact_radius = 0; // m; a radius of 0 is not known
+    MaskOf<N> touching = MaskOf<N>(false);
 };
 
 /// W of the normal dashpot and of everything in the contact plane.
@@ -70,13 +71,17 @@ template <class N> struct SplitPower {
     N damping = 0, tangential = 0;
 };
 
-template <class Law, class N>
-KOKKOS_FORCEINLINE_FUNCTION SplitPower<N> split_contact_power(ContactMotion<N> const& contact, ContactScale<N> const& scale,
-                                                              PairConstants const& pair, MaskOf<N> adheres)
+/// scale(): the contact's ContactScale, asked for only where the radius is not known.
+template <class Law, class N, class Scale>
+KOKKOS_FORCEINLINE_FUNCTION SplitPower<N> split_contact_power(ContactMotion<N> const& contact, N const& effective_radius,
+                                                              PairConstants const& pair, MaskOf<N> adheres,
+                                                              Scale const& scale)
 {
-    NormalResponse<N> const response = typename Law::NormalPart{}(contact.overlap, scale, pair, adheres);
+    N elastic = force_at_radius(contact.contact_radius, effective_radius, pair, adheres);
+    if (any(contact.touching && !(contact.contact_radius > N(0)))) [[unlikely]]
+        elastic = typename Law::NormalPart{}(contact.overlap, scale(), pair, adheres).force;
     N const along = dot(contact.force, contact.normal), approach = dot(contact.velocity, contact.normal);
-    return {(along - response.force) * approach, contact.total - along * approach};
+    return {(along - elastic) * approach, contact.total - along * approach};
 }
 
 /// Jump of the stored energy where a contact began (now) or ceased (before) to adhere.
@@ -98,9 +103,9 @@ template <class Law> struct PairPower {
     BlockTurns turns{list, 1};
 
     /// Of the k-th block.
-    KOKKOS_FUNCTION Terms<8> operator()(int k) const
+    KOKKOS_FORCEINLINE_FUNCTION LaneTerms<8> operator()(int k) const
     {
-        Terms<8> terms{};
+        LaneTerms<8> terms{};
         int const c = turns.begin(list, k) * lane_count;
         if constexpr (Law::adheres)
             if (adhered.extent(0) > 0) terms[7] = adhesion_jumps(c);
@@ -126,12 +131,12 @@ template <class Law> struct PairPower {
         contact.velocity = approach + box.stretch_velocity(offset);
         Lanes const turning = -dot(moment.xyz, force.w * records_of(spin, i).xyz + moment.w * records_of(spin, j).xyz);
         contact.total = dot(contact.force, contact.velocity) + turning;
-
-        ContactScale<Lanes> const scale = load_scale<Law::adheres>(list, c);
+        contact.touching = touching;
+        if (list.needs.contact_radius) contact.contact_radius = load_lanes(&list.contact_radius(c));
         LaneMask adheres(false);
         if constexpr (Law::adheres) adheres = load_flags(&list.adhering(c));
-        SplitPower<Lanes> const split = split_power(contact, scale, i, j, adheres);
-        auto const sum = [&](Lanes const& power) { return sum_of_lanes(select(touching, power, Lanes(0))); };
+        SplitPower<Lanes> const split = split_power(contact, c, adheres);
+        auto const sum = [&](Lanes const& power) { return select(touching, power, Lanes(0)); };
         terms[0] = sum(split.damping);
         terms[1] = sum(split.tangential);
         for (int axis = 0; axis < 3; ++axis) terms[2 + axis] = sum(contact.force[axis] * offset[axis]);
@@ -139,32 +144,35 @@ template <class Law> struct PairPower {
         return terms;
     }
 
-    KOKKOS_FORCEINLINE_FUNCTION SplitPower<Lanes> split_power(ContactMotion<Lanes> const& contact,
-                                                              ContactScale<Lanes> const& scale, int const* i, int const* j,
+    KOKKOS_FORCEINLINE_FUNCTION SplitPower<Lanes> split_power(ContactMotion<Lanes> const& contact, int c,
                                                               LaneMask const& adheres) const
     {
-        if (pairs.shared >= 0) return split_contact_power<Law>(contact, scale, pairs(pairs.shared), adheres);
+        auto const split_for = [&](PairConstants const& pair) {
+            return split_contact_power<Law>(contact, load_lanes(&list.scale(c, 0)), pair, adheres,
+                                            [&] { return load_scale<Law::adheres>(list, c); });
+        };
+        if (pairs.shared >= 0) return split_for(pairs(pairs.shared));
         SplitPower<Lanes> split;
-        for_each_material_pair(pairs, material, i, j, [&](PairConstants const& pair, LaneMask const& same) {
-            SplitPower<Lanes> const power = split_contact_power<Law>(contact, scale, pair, adheres);
-            split.damping = select(same, power.damping, split.damping);
-            split.tangential = select(same, power.tangential, split.tangential);
-        });
+        for_each_material_pair(pairs, material, &list.first(c), &list.second(c),
+                               [&](PairConstants const& pair, LaneMask const& same) {
+                                   SplitPower<Lanes> const power = split_for(pair);
+                                   split.damping = select(same, power.damping, split.damping);
+                                   split.tangential = select(same, power.tangential, split.tangential);
+                               });
         return split;
     }
 
     /// Rare, so contact by contact.
-    KOKKOS_FUNCTION Real adhesion_jumps(int c) const
+    KOKKOS_FUNCTION Lanes adhesion_jumps(int c) const
     {
-        Real sum = 0;
-        if (!any(load_flags(&adhered(c)) != load_flags(&list.adhering(c)))) return sum;
-        for (int n = c; n < c + lane_count && n < list.count; ++n) {
-            if (adhered(n) == list.adhering(n)) continue;
+        if (!any(load_flags(&adhered(c)) != load_flags(&list.adhering(c)))) return 0;
+        return make_lanes([&](int lane) -> Real {
+            int const n = c + lane;
+            if (n >= list.count || adhered(n) == list.adhering(n)) return 0;
             int const i = list.first(n), j = list.second(n);
             Real const overlap = position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, n));
-            sum += adhesion_jump(adhered(n), list.adhering(n), overlap, scale_of(list, n), pairs(material(i), material(j)));
-        }
-        return sum;
+            return adhesion_jump(adhered(n), list.adhering(n), overlap, scale_of(list, n), pairs(material(i), material(j)));
+        });
     }
 };
 
@@ -186,8 +194,10 @@ template <class Law> struct WallPower {
         WallBody const& body = walls.body(walls.wall_of_element(list.element(c)));
         PairConstants const& pair = pairs(material(i), body.material);
         Real const radius = position(i, 3), arm = list.force(c, 3);
-        ContactScale<> const scale{radius, velocity(i, 3), 1 / Kokkos::cbrt(radius)};
+        auto const scale = [&] { return ContactScale<>{radius, velocity(i, 3), 1 / Kokkos::cbrt(radius)}; };
         ContactMotion<> contact;
+        contact.touching = true;
+        if constexpr (Law::has_history) contact.contact_radius = list.spring(c, 3);
         contact.overlap = radius - arm;
         contact.normal = vector_of(list.normal, c);
         contact.force = {list.force(c, 0), list.force(c, 1), list.force(c, 2)};
@@ -199,14 +209,30 @@ template <class Law> struct WallPower {
         bool now = false, before = false;
         if constexpr (Law::adheres) now = list.adhering(c);
         if constexpr (Law::adheres) before = adhered.extent(0) > 0 && adhered(c);
-        SplitPower<Real> const split = split_contact_power<Law>(contact, scale, pair, now);
+        SplitPower<Real> const split = split_contact_power<Law>(contact, radius, pair, now, scale);
         terms[0] = split.damping;
         terms[1] = split.tangential;
         for (int axis = 0; axis < 3; ++axis) terms[2 + axis] = contact.force[axis] * offset[axis];
         terms[5] = dot(contact.force, wall);
         terms[6] = dot(contact.force, vector_of(velocity, i)) + turning;
-        if constexpr (Law::adheres) terms[7] = adhesion_jump(before, now, contact.overlap, scale, pair);
+        if constexpr (Law::adheres)
+            if (before != now) terms[7] = adhesion_jump(before, now, contact.overlap, scale(), pair);
         return terms;
+    }
+};
+
+/// W of moving walls on the grains.
+struct WallWork {
+    WallContactRows list;
+    WallViews walls;
+    RecordView position;
+
+    KOKKOS_FUNCTION Terms<1> operator()(int c) const
+    {
+        if (!list.touching(c)) return {{0}};
+        Vec3 const normal = vector_of(list.normal, c), force{list.force(c, 0), list.force(c, 1), list.force(c, 2)};
+        WallPose const& pose = walls.body(walls.wall_of_element(list.element(c))).pose;
+        return {{dot(force, pose.velocity_at(vector_of(position, list.grain(c)) - list.force(c, 3) * normal))}};
     }
 };
 

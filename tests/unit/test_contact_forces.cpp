@@ -2,6 +2,7 @@
 // The contact kernel on pairs of grains: symmetry, hard geometry, images, a deforming box.
 #include "apps/verify/grain_system.hpp"
 #include "kernels/contact_lanes.hpp"
+#include "kernels/energy_terms.hpp"
 
 #include <gtest/gtest.h>
 
@@ -248,6 +249,35 @@ TEST(ContactForces, SumDoesNotTellWhatWasCloseWhenTheListWasBuilt)
         kick(woken.integrator, {}, woken.particles, woken.contacts, {});
         EXPECT_EQ(force_on(woken, count), after) << count;
     }
+}
+
+Terms<8> pair_power(GrainSystem const& system, ContactList const& contacts)
+{
+    SumWorkspace sums;
+    Particles const& p = system.particles;
+    CementedSand const law = std::get<CementedSand>(system.law);
+    return reproducible_sums<8>(
+        sums, "pair_power", blocks_of(contacts),
+        PairPower<CementedSand>{law.pairs, contacts, p.position, p.velocity, p.spin, p.material, {}, {}});
+}
+
+// A list that has just been restored, or an earlier stage's, may not hold the radii.
+TEST(ContactPower, IsTheSameWhereTheContactRadiusIsNotKnown)
+{
+    SystemSettings settings = crowd(300, -2e-6);
+    settings.contact = contact_settings(NormalLaw::jkr, DampingLaw::restitution, TangentialLaw::dissipative);
+    settings.materials = {with(sand(), 0.8, 0.3)};
+    settings.dt = 1e-8;
+    for (Grain& grain : settings.grains) grain.velocity = 1e3 * grain.position; // all of them part
+    GrainSystem system = make_system(settings);
+    evaluate(system);
+    kick(system.integrator, {}, system.particles, system.contacts, {});
+    ASSERT_TRUE(system.contacts.needs.contact_radius);
+    ContactList without = system.contacts;
+    without.needs.contact_radius = false;
+    Terms<8> const known = pair_power(system, system.contacts), asked = pair_power(system, without);
+    EXPECT_LT(known[0], 0); // the dashpots
+    for (int n = 0; n < 8; ++n) EXPECT_NEAR(known[n], asked[n], 1e-12 * std::fabs(known[n])) << n;
 }
 
 TEST(ContactForces, TurnsVisitEveryBlockOnce)

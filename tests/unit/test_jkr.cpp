@@ -129,6 +129,21 @@ TEST(Jkr, BecomesHertzWithoutAdhesion)
     EXPECT_NEAR(jkr_response(overlap, scale, pair).contact_radius / hertz.contact_radius, 1, small);
 }
 
+TEST(Jkr, ForceFollowsFromTheContactRadius)
+{
+    ContactScale<> const scale = scale_of(0.23e-3, 0.4e-3);
+    PairConstants const pair = pair_of(NormalLaw::jkr);
+    Real const length = 1 / jkr_inverse_length(scale, pair), radius = scale.effective_radius;
+    for (Real scaled = jkr_points::overlap_S; scaled < 1000; scaled += 0.37) {
+        NormalResponse<> const bond = jkr_response(scaled * length, scale, pair);
+        Real const size = std::fabs(bond.force) + bond.pull_off_force;
+        EXPECT_NEAR(force_at_radius(bond.contact_radius, radius, pair, true), bond.force, 1e-14 * size) << scaled;
+        if (scaled < 0) continue;
+        NormalResponse<> const hertz = hertz_response(scaled * length, radius, pair.effective_youngs_modulus);
+        EXPECT_NEAR(force_at_radius(hertz.contact_radius, radius, pair, false), hertz.force, 1e-15 * hertz.force) << scaled;
+    }
+}
+
 /// The law at an overlap for a contact with that memory.
 std::pair<Real, ContactState<>> apply(NormalLaw law, Real overlap, bool adhering)
 {

@@ -61,4 +61,34 @@ TEST(ReproducibleSum, DotProductOfOnesCounts)
     EXPECT_EQ(reproducible_dot(sums, ones, ones), 12345);
 }
 
+/// i, 2 i, 3 i, 4 i and 5 i as records, whose last three numbers stay 0.
+struct MultiplesInRecords {
+    KOKKOS_FUNCTION QuadTerms<5> operator()(int i) const
+    {
+        Real const x = i;
+        return {{Quad{x, 2 * x, 3 * x, 4 * x}, Quad{5 * x, 0, 0, 0}}};
+    }
+};
+
+struct Lanewise { // item i and twice that, lane_count items at a time
+    KOKKOS_FUNCTION LaneTerms<2> operator()(int block) const
+    {
+        Lanes const items = make_lanes([&](int lane) { return Real(block * lane_count + lane); });
+        return {{items, 2 * items}};
+    }
+};
+
+TEST(ReproducibleSum, TakesRecordsAndLanes)
+{
+    SumWorkspace sums;
+    for (int const count : {1, 255, 1000, 70000}) {
+        Real const expected = Real(0.5) * count * (count - 1); // exact
+        Terms<5> const records = reproducible_sums<5>(sums, "records", count, MultiplesInRecords{});
+        for (int n = 0; n < 5; ++n) EXPECT_EQ(records[n], (n + 1) * expected) << count;
+        Real const items = Real(count) * lane_count;
+        Terms<2> const lanes = reproducible_sums<2>(sums, "lanes", count, Lanewise{});
+        for (int n = 0; n < 2; ++n) EXPECT_EQ(lanes[n], (n + 1) * Real(0.5) * items * (items - 1)) << count;
+    }
+}
+
 } // namespace
