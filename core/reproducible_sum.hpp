@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/lanes.hpp"
-#include "core/types.hpp"
+#include "core/turns.hpp"
 
 #include <type_traits>
 #include <utility>
@@ -100,7 +100,7 @@ template <int N, class Term> struct BlockSum {
 
 template <int N, class Term> void sum_chunks(char const* label, int terms, View1<Real> const& partial, Term const& term)
 {
-    Kokkos::parallel_for(label, RangePolicy(0, part_count(terms)), ChunkSum<N, Term>{term, terms, partial});
+    for_each_turn(label, part_count(terms), ChunkSum<N, Term>{term, terms, partial});
 }
 
 template <int N, class Term> void sum_blocks(char const* label, int terms, int span, Real* partial, Term const& term)

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/particles.hpp"
+#include "core/turns.hpp"
 #include "kernels/contact/contact_law.hpp"
 #include "kernels/contact_lanes.hpp"
 #include "kernels/step_gate.hpp"
@@ -151,7 +152,7 @@ void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox c
     static_assert(contact_block % lane_count == 0);
     auto const launch = [&](auto const& evaluation) {
         // 96 registers a thread; of its own the compiler takes 98, and a block fewer fits.
-        Kokkos::parallel_for("evaluate_contacts", BoundedRangePolicy<128, 5>(0, evaluation.turns.count), evaluation);
+        for_each_turn<BoundedRangePolicy<128, 5>>("evaluate_contacts", evaluation.turns.count, evaluation);
     };
     auto const launch_for = [&]<BoxKind kind, bool several>() {
         launch(ContactEvaluation<Law, kind, several>{law, contacts, particles.position, particles.velocity, particles.spin,

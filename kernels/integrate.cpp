@@ -2,12 +2,13 @@
 #include "kernels/integrate.hpp"
 
 #include "core/lanes.hpp"
+#include "core/turns.hpp"
 
 namespace arenite {
 namespace {
 
 /// Grains of a turn: a host looks at the gate once a turn.
-constexpr int turn_length = on_host ? 16 : 1;
+constexpr int turn_length = on_host ? 128 : 1;
 
 /// What both halves of the kick need; one struct for the three kernels, so that they share every expression. A record takes
 /// one instruction; its fourth number (radius, mass, moment of inertia) keeps its value, since what is added there is 0.
@@ -186,7 +187,7 @@ template <class Step> struct Turns {
 template <class Step> void launch(char const* name, GrainStep const& step)
 {
     int const turns = (step.grains.count + turn_length - 1) / turn_length;
-    Kokkos::parallel_for(name, RangePolicy(0, turns), Turns<Step>{{step}});
+    for_each_turn(name, turns, Turns<Step>{{step}});
 }
 
 GrainStep make_step(Integrator const& integrator, StepSettings const& settings, Particles const& particles,

@@ -3,6 +3,7 @@
 // R* = R_i, m* = m_i, and the arm reaches from the grain's centre to the wall's nearest point.
 #pragma once
 
+#include "core/turns.hpp"
 #include "kernels/contact/contact_law.hpp"
 #include "kernels/contact_lanes.hpp"
 #include "kernels/step_gate.hpp"
@@ -311,9 +312,9 @@ void evaluate_wall_contacts(Law const& law, Particles const& particles, Walls co
 {
     if (contacts.groups == 0) return;
     constexpr int each = WallContactEvaluation<Law>::groups_at_once;
-    Kokkos::parallel_for("evaluate_wall_contacts", RangePolicy(0, (contacts.groups + each - 1) / each),
-                         WallContactEvaluation<Law>{law, contacts, walls.views, particles.position, particles.velocity,
-                                                    particles.spin, particles.material, dt, gate});
+    for_each_turn("evaluate_wall_contacts", (contacts.groups + each - 1) / each,
+                  WallContactEvaluation<Law>{law, contacts, walls.views, particles.position, particles.velocity,
+                                             particles.spin, particles.material, dt, gate});
 }
 
 } // namespace arenite

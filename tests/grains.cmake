@@ -10,6 +10,8 @@ arenite_test(test_verify unit unit/test_verify.cpp LINK arenite_verify)
 set_tests_properties(test_jkr test_material test_tangential test_contact_forces test_contact_search test_integrate
   test_verify PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 
+arenite_test(test_turns unit unit/test_turns.cpp) # on more threads than one
+
 # What `arenite verify` runs, a ctest a group.
 add_executable(verify_groups verification/verify_groups.cpp)
 target_link_libraries(verify_groups PRIVATE arenite_test_main arenite_verify)
