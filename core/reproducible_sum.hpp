@@ -15,9 +15,9 @@ namespace arenite {
 
 template <int N> using Terms = Kokkos::Array<Real, N>;
 
-/// The same of as many items as there are lanes; and N numbers in records of four, with as many zeros as fill the last one.
+/// The same of as many items as there are lanes. (A third kind is any struct with += and numbers(), the N numbers of a sum
+/// of such terms: what numbers() does is done once a chunk.)
 template <int N> using LaneTerms = Kokkos::Array<Lanes, N>;
-template <int N> using QuadTerms = Kokkos::Array<Quad, (N + 3) / 4>;
 
 /// Scratch of the sums, reused so that a sum in a time loop does not allocate.
 struct SumWorkspace {
@@ -34,14 +34,21 @@ constexpr int team = 256, block = 4 * team; // threads, and terms that they sum
 
 inline int part_count(int terms) { return on_host ? (terms + chunk - 1) / chunk : (terms + block - 1) / block; }
 
-template <class T> struct Summand {
-    static constexpr int numbers = 1;
-    KOKKOS_FORCEINLINE_FUNCTION static Real number(T const& sum, int) { return sum_of_lanes(sum); }
-};
-template <> struct Summand<Quad> {
-    static constexpr int numbers = 4;
-    KOKKOS_FORCEINLINE_FUNCTION static Real number(Quad const& sum, int n) { return sum[n]; }
-};
+template <class Values> KOKKOS_FORCEINLINE_FUNCTION void add(Values const& values, Values& sum) { sum += values; }
+template <class T, std::size_t N>
+KOKKOS_FORCEINLINE_FUNCTION void add(Kokkos::Array<T, N> const& values, Kokkos::Array<T, N>& sum)
+{
+    for (std::size_t n = 0; n < N; ++n) sum[n] += values[n];
+}
+
+template <class Values> KOKKOS_FORCEINLINE_FUNCTION auto numbers_of(Values const& sum) { return sum.numbers(); }
+template <class T, std::size_t N>
+KOKKOS_FORCEINLINE_FUNCTION Terms<static_cast<int>(N)> numbers_of(Kokkos::Array<T, N> const& sum)
+{
+    Terms<static_cast<int>(N)> numbers{};
+    for (std::size_t n = 0; n < N; ++n) numbers[n] = sum_of_lanes(sum[n]);
+    return numbers;
+}
 
 // Kernels in headers are structs, not lambdas: nvcc keeps part of an extended lambda's type to each source file, and a
 // function that several of them share would call what another one made.
@@ -51,26 +58,24 @@ template <int N, class Term> struct ChunkSum {
     View1<Real> partial;
 
     using Values = std::decay_t<decltype(std::declval<Term const&>()(0))>;
-    using Value = typename Values::value_type;
-    static constexpr int values = static_cast<int>(Values::size()), numbers = Summand<Value>::numbers;
     // Vectors are sums side by side by themselves, and there are not registers for more.
-    static constexpr int lanes = std::is_same_v<Value, Real> ? reproducible::lanes : 1;
+    static constexpr int lanes = std::is_same_v<Values, Terms<N>> ? reproducible::lanes : 1;
 
     KOKKOS_FUNCTION void operator()(int c) const
     {
-        Value sum[lanes][values] = {};
+        Values sum[lanes] = {};
         for (int which = 0; which < chunk; which += lanes) {
             for (int lane = 0; lane < lanes; ++lane) {
                 int const i = c * chunk + which + lane;
                 if (i >= terms) continue;
-                Values const value = term(i);
-                for (int n = 0; n < values; ++n) sum[lane][n] += value[n];
+                add(term(i), sum[lane]);
             }
         }
-        for (int n = 0; n < N; ++n) {
-            auto const of = [&](int lane) { return Summand<Value>::number(sum[lane][n / numbers], n % numbers); };
-            if constexpr (lanes == 4) partial(c * N + n) = (of(0) + of(1)) + (of(2) + of(3));
-            else partial(c * N + n) = of(0);
+        if constexpr (lanes == 4)
+            for (int n = 0; n < N; ++n) partial(c * N + n) = (sum[0][n] + sum[1][n]) + (sum[2][n] + sum[3][n]);
+        else {
+            Terms<N> const numbers = numbers_of(sum[0]);
+            for (int n = 0; n < N; ++n) partial(c * N + n) = numbers[n];
         }
     }
 };
@@ -86,10 +91,8 @@ template <int N, class Term> struct BlockSum {
         int const part = member.league_rank(), end = Kokkos::min(terms, (part + 1) * span);
         Real sum[N] = {};
         for (int i = part * span + member.team_rank(); i < end; i += team) {
-            auto const value = term(i);
-            using Value = std::decay_t<decltype(value[0])>;
-            constexpr int numbers = Summand<Value>::numbers;
-            for (int n = 0; n < N; ++n) sum[n] += Summand<Value>::number(value[n / numbers], n % numbers);
+            Terms<N> const value = numbers_of(term(i));
+            for (int n = 0; n < N; ++n) sum[n] += value[n];
         }
         for (int n = 0; n < N; ++n) {
             member.team_reduce(Kokkos::Sum<Real>(sum[n]));
@@ -137,9 +140,9 @@ struct Entries {
 
 } // namespace reproducible
 
-/// N sums at once over i = 0 .. count - 1 of term(i), a device functor that returns Terms<N>, LaneTerms<N> or QuadTerms<N>
-/// and may write what belongs to i. They go to `to`, memory that both the device and, on a host, the caller can reach;
-/// nobody waits for a device.
+/// N sums at once over i = 0 .. count - 1 of term(i), a device functor that returns Terms<N> or LaneTerms<N> or
+/// what has numbers(), and may write what belongs to i. They go to `to`, memory that both the device and, on a host, the
+/// caller can reach; nobody waits for a device.
 template <int N, class Term>
 void reproducible_sums_to(Real* to, SumWorkspace& workspace, char const* label, int count, Term const& term)
 {

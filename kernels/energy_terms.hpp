@@ -77,9 +77,10 @@ KOKKOS_FORCEINLINE_FUNCTION SplitPower<N> split_contact_power(ContactMotion<N> c
                                                               PairConstants const& pair, MaskOf<N> adheres,
                                                               Scale const& scale)
 {
-    N elastic = force_at_radius(contact.contact_radius, effective_radius, pair, adheres);
+    using Normal = typename Law::NormalPart;
+    N elastic = Normal::force_at_radius(contact.contact_radius, effective_radius, pair, adheres);
     if (any(contact.touching && !(contact.contact_radius > N(0)))) [[unlikely]]
-        elastic = typename Law::NormalPart{}(contact.overlap, scale(), pair, adheres).force;
+        elastic = Normal{}(contact.overlap, scale(), pair, adheres).force;
     N const along = dot(contact.force, contact.normal), approach = dot(contact.velocity, contact.normal);
     return {(along - elastic) * approach, contact.total - along * approach};
 }

@@ -27,6 +27,15 @@ struct HertzNormal {
         response.touches = overlap > N(0);
         return response;
     }
+
+    /// Of a contact of known radius, N: 4/3 E* a^3 / R*.
+    template <class N>
+    KOKKOS_FORCEINLINE_FUNCTION static N force_at_radius(N const& contact_radius, N const& effective_radius,
+                                                         PairConstants const& pair, MaskOf<N>)
+    {
+        N const square = contact_radius * contact_radius;
+        return Real(4) / 3 * pair.effective_youngs_modulus * square * contact_radius / effective_radius;
+    }
 };
 
 } // namespace arenite

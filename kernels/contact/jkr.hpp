@@ -58,17 +58,6 @@ KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> jkr_response(N const& overlap, Con
             pair.radius_factor * scale.effective_radius * scale.inverse_cube_root * y * y, 3 * force_unit, MaskOf<N>(true)};
 }
 
-/// Elastic and adhesive force [N] of a contact of known radius, on either curve: 4/3 E* a^3 / R* - 4 sqrt(pi gamma E* a^3).
-template <class N>
-KOKKOS_FORCEINLINE_FUNCTION N force_at_radius(N const& contact_radius, N const& effective_radius, PairConstants const& pair,
-                                              MaskOf<N> adheres)
-{
-    N const cube = pair.effective_youngs_modulus * contact_radius * contact_radius * contact_radius;
-    N const hertz = Real(4) / 3 * cube / effective_radius;
-    if (!any(adheres)) return hertz;
-    return hertz - select(adheres, 4 * square_root(std::numbers::pi_v<Real> * pair.surface_energy * cube), N(0));
-}
-
 /// An adhering contact follows the JKR curve until it snaps at the pair's break point. Full JKR forms one
 /// at every touch (the force jumps to -8/9 F_C), modified JKR never again: then Hertz.
 struct JkrNormal {
@@ -89,6 +78,16 @@ struct JkrNormal {
         response.pull_off_force = select(adhering, bond.pull_off_force, response.pull_off_force);
         response.touches = response.touches || adhering;
         return response;
+    }
+
+    /// Of a contact of known radius: 4/3 E* a^3 / R*, where it adheres less 4 sqrt(pi gamma E* a^3).
+    template <class N>
+    KOKKOS_FORCEINLINE_FUNCTION static N force_at_radius(N const& contact_radius, N const& effective_radius,
+                                                         PairConstants const& pair, MaskOf<N> adhering)
+    {
+        N const hertz = HertzNormal::force_at_radius(contact_radius, effective_radius, pair, adhering);
+        N const size = std::numbers::pi_v<Real> * pair.surface_energy * pair.effective_youngs_modulus;
+        return hertz - select(adhering, 4 * square_root(size * contact_radius) * contact_radius, N(0));
     }
 };
 

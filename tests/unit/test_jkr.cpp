@@ -137,10 +137,11 @@ TEST(Jkr, ForceFollowsFromTheContactRadius)
     for (Real scaled = jkr_points::overlap_S; scaled < 1000; scaled += 0.37) {
         NormalResponse<> const bond = jkr_response(scaled * length, scale, pair);
         Real const size = std::fabs(bond.force) + bond.pull_off_force;
-        EXPECT_NEAR(force_at_radius(bond.contact_radius, radius, pair, true), bond.force, 1e-14 * size) << scaled;
+        EXPECT_NEAR(JkrNormal::force_at_radius(bond.contact_radius, radius, pair, true), bond.force, 1e-14 * size) << scaled;
         if (scaled < 0) continue;
         NormalResponse<> const hertz = hertz_response(scaled * length, radius, pair.effective_youngs_modulus);
-        EXPECT_NEAR(force_at_radius(hertz.contact_radius, radius, pair, false), hertz.force, 1e-15 * hertz.force) << scaled;
+        EXPECT_NEAR(JkrNormal::force_at_radius(hertz.contact_radius, radius, pair, false), hertz.force, 1e-15 * hertz.force)
+            << scaled;
     }
 }
 
