@@ -23,7 +23,7 @@ NOISE = {"Kokkos", "Impl", "arenite", "RangePolicy", "IndexType", "Cuda", "OpenM
          "ParallelReduce", "ParallelScan", "ParallelScanWithTotal", "CombinedFunctorReducer", "LaunchBounds", "Device",
          "CombinedReductionFunctorWrapper", "FunctorAnalysis", "Reducer", "reproducible", "WorkItemProperty",
          "ImplWorkItemProperty", "Experimental",
-         "cuda_parallel_launch_local_memory", "cuda_parallel_launch_constant_memory", "cuda_parallel_launch_global_memory"}
+         "Turns", "cuda_parallel_launch_local_memory", "cuda_parallel_launch_constant_memory", "cuda_parallel_launch_global_memory"}
 
 LOOPS = {"for_each_cell", "for_each_face", "for_each_node", "sum_chunks"}
 
