@@ -22,8 +22,8 @@ REGISTER_UNIT, SHARED_UNIT, SHARED_RESERVED = 256, 128, 1024  # allocated per wa
 NOISE = {"Kokkos", "Impl", "arenite", "RangePolicy", "IndexType", "Cuda", "OpenMP", "View", "CudaSpace", "ParallelFor",
          "ParallelReduce", "ParallelScan", "ParallelScanWithTotal", "CombinedFunctorReducer", "LaunchBounds", "Device",
          "CombinedReductionFunctorWrapper", "FunctorAnalysis", "Reducer", "reproducible", "WorkItemProperty",
-         "ImplWorkItemProperty", "Experimental",
-         "Turns", "cuda_parallel_launch_local_memory", "cuda_parallel_launch_constant_memory", "cuda_parallel_launch_global_memory"}
+         "ImplWorkItemProperty", "Experimental", "Turns",
+         "cuda_parallel_launch_local_memory", "cuda_parallel_launch_constant_memory", "cuda_parallel_launch_global_memory"}
 
 LOOPS = {"for_each_cell", "for_each_face", "for_each_node", "sum_chunks"}
 
