@@ -76,9 +76,7 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
     AnyContactLaw const law = make_contact_law(pairs, material), wall_law = make_contact_law(planned.wall_pairs, material);
 
     StageForces forces;
-    forces.needs = contact_needs(law, pairs);
-    // With the radius the balance sheet need not run the normal law a second time.
-    if (planned.keeps_balance) forces.needs.contact_radius = forces.needs.history;
+    forces.needs = contact_needs(law, pairs, planned.keeps_balance);
     forces.wall_needs = contact_needs(wall_law, planned.wall_pairs);
     std::function<void(Real)> const on_grains = std::visit(
         [&state](auto const& l) -> std::function<void(Real)> {

@@ -177,6 +177,13 @@ template <class Law> struct PairPower {
     }
 };
 
+/// Of a wall at its contact, m/s.
+KOKKOS_FUNCTION inline Vec3 wall_velocity(WallContactRows const& list, WallPose const& pose, RecordView const& position,
+                                          int c)
+{
+    return pose.velocity_at(vector_of(position, list.grain(c)) - list.force(c, 3) * vector_of(list.normal, c));
+}
+
 template <class Law> struct WallPower {
     PairTable pairs;
     WallContactRows list;
@@ -203,7 +210,7 @@ template <class Law> struct WallPower {
         contact.normal = vector_of(list.normal, c);
         contact.force = {list.force(c, 0), list.force(c, 1), list.force(c, 2)};
         Vec3 const moment{list.force(c, 4), list.force(c, 5), list.force(c, 6)}, x = vector_of(position, i);
-        Vec3 const offset = x - origin, wall = body.pose.velocity_at(x - arm * contact.normal);
+        Vec3 const offset = x - origin, wall = wall_velocity(list, body.pose, position, c);
         contact.velocity = vector_of(velocity, i) + box.stretch_velocity(offset) - wall;
         Real const turning = -arm * dot(moment, vector_of(spin, i));
         contact.total = dot(contact.force, contact.velocity) + turning;
@@ -231,9 +238,9 @@ struct WallWork {
     KOKKOS_FUNCTION Terms<1> operator()(int c) const
     {
         if (!list.touching(c)) return {{0}};
-        Vec3 const normal = vector_of(list.normal, c), force{list.force(c, 0), list.force(c, 1), list.force(c, 2)};
+        Vec3 const force{list.force(c, 0), list.force(c, 1), list.force(c, 2)};
         WallPose const& pose = walls.body(walls.wall_of_element(list.element(c))).pose;
-        return {{dot(force, pose.velocity_at(vector_of(position, list.grain(c)) - list.force(c, 3) * normal))}};
+        return {{dot(force, wall_velocity(list, pose, position, c))}};
     }
 };
 

@@ -33,15 +33,17 @@ inline AnyContactLaw make_contact_law(std::vector<PairConstants> const& pairs, i
 }
 
 /// What the law wants remembered of its contacts. A law that did not keep the contact radius in an earlier stage begins
-/// with contacts whose radius is not known: their springs follow it from their second step on.
-inline ContactNeeds contact_needs(AnyContactLaw const& law, std::vector<PairConstants> const& pairs)
+/// with contacts whose radius is not known: their springs follow it from their second step on. keeps_balance: of energies,
+/// whose sheet takes the radius in place of running the normal law a second time.
+inline ContactNeeds contact_needs(AnyContactLaw const& law, std::vector<PairConstants> const& pairs,
+                                  bool keeps_balance = false)
 {
     return std::visit(
         [&](auto const& chosen) {
             using Law = std::decay_t<decltype(chosen)>;
             bool const follows =
                 std::any_of(pairs.begin(), pairs.end(), [](auto const& p) { return p.tangential != TangentialLaw::secant; });
-            return ContactNeeds{Law::has_history, Law::adheres, Law::has_history && follows};
+            return ContactNeeds{Law::has_history, Law::adheres, Law::has_history && (follows || keeps_balance)};
         },
         law);
 }
