@@ -2,8 +2,7 @@
 #include "apps/stage_forces.hpp"
 
 #include "kernels/contact/contact_laws.hpp"
-#include "kernels/contact_forces.hpp"
-#include "kernels/wall_forces.hpp"
+#include "kernels/evaluate_forces.hpp"
 
 namespace arenite {
 namespace {
@@ -78,23 +77,10 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
     StageForces forces;
     forces.needs = contact_needs(law, pairs, planned.keeps_balance);
     forces.wall_needs = contact_needs(wall_law, planned.wall_pairs);
-    std::function<void(Real)> const on_grains = std::visit(
-        [&state](auto const& l) -> std::function<void(Real)> {
-            return [&state, l](Real dt) {
-                evaluate_contacts(l, state.particles, state.box, state.contacts, dt, state.integrator.gate());
-            };
-        },
-        law);
-    std::function<void(Real)> const on_walls = std::visit(
-        [&state](auto const& l) -> std::function<void(Real)> {
-            return [&state, l](Real dt) {
-                evaluate_wall_contacts(l, state.particles, state.walls, state.wall_contacts, dt, state.integrator.gate());
-            };
-        },
-        wall_law);
-    forces.evaluate = [&state, on_grains, on_walls](Real dt) {
-        on_grains(dt);
-        if (state.wall_contacts.count > 0) on_walls(dt);
+    forces.evaluate = [&state, law, wall_law](Real dt) {
+        StepGate const gate = state.integrator.gate();
+        evaluate_contacts(law, state.particles, state.box, state.contacts, dt, gate);
+        evaluate_wall_contacts(wall_law, state.particles, state.walls, state.wall_contacts, dt, gate);
     };
     forces.report = std::visit(
         [&state](auto const& l) -> std::function<ContactReport()> {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forces between grains: each pair is evaluated once, under a law that was chosen outside the step, lane_count
-// pairs at a time.
+// The kernel of the forces between grains: each pair is evaluated once, under a law that was chosen outside the step,
+// lane_count pairs at a time. What launches it is in kernels/evaluate_forces.hpp; one source compiles it for all laws.
 //
 // Traffic of a touching pair (JKR with history): 192 B of grains (mostly from cache), 24 B scale, 2 x 24 B
 // spring, 64 B force, 10 B of indices and flags. A block of pairs that are only near reads 2 positions and 2 flags a pair.
@@ -144,27 +144,5 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
         store_records({moment, arm_j}, rows + 4, 8);
     }
 };
-
-template <class Law>
-void evaluate_contacts(Law const& law, Particles const& particles, PeriodicBox const& box, ContactList const& contacts,
-                       Real dt, StepGate const& gate = {})
-{
-    static_assert(contact_block % lane_count == 0);
-    auto const launch = [&](auto const& evaluation) {
-        // 96 registers a thread; of its own the compiler takes 98, and a block fewer fits.
-        for_each_turn<BoundedRangePolicy<128, 5>>("evaluate_contacts", evaluation.turns.count, evaluation);
-    };
-    auto const launch_for = [&]<BoxKind kind, bool several>() {
-        launch(ContactEvaluation<Law, kind, several>{law, contacts, particles.position, particles.velocity, particles.spin,
-                                                     particles.material, box, dt, gate});
-    };
-    auto const launch_in = [&]<BoxKind kind>() {
-        if (law.pairs.shared >= 0) launch_for.template operator()<kind, false>();
-        else launch_for.template operator()<kind, true>();
-    };
-    if (box.deforms()) launch_in.template operator()<BoxKind::deforming>();
-    else if (contacts.periodic) launch_in.template operator()<BoxKind::periodic>();
-    else launch_in.template operator()<BoxKind::closed>();
-}
 
 } // namespace arenite

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forces of walls on grains, under a contact law chosen outside the step. A wall is a body of infinite radius and mass:
+// The kernel of the forces of walls on grains, under a contact law chosen outside the step. A wall is a body of infinite radius and mass:
 // R* = R_i, m* = m_i, and the arm reaches from the grain's centre to the wall's nearest point.
 #pragma once
 
@@ -305,16 +305,5 @@ template <class Law> struct WallContactEvaluation {
                          [&](int n) { return half(n, 1); });
     }
 };
-
-template <class Law>
-void evaluate_wall_contacts(Law const& law, Particles const& particles, Walls const& walls, WallContacts const& contacts,
-                            Real dt, StepGate const& gate = {})
-{
-    if (contacts.groups == 0) return;
-    constexpr int each = WallContactEvaluation<Law>::groups_at_once;
-    for_each_turn("evaluate_wall_contacts", (contacts.groups + each - 1) / each,
-                  WallContactEvaluation<Law>{law, contacts, walls.views, particles.position, particles.velocity,
-                                             particles.spin, particles.material, dt, gate});
-}
 
 } // namespace arenite

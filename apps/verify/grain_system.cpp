@@ -2,7 +2,7 @@
 #include "apps/verify/grain_system.hpp"
 
 #include "core/error.hpp"
-#include "kernels/contact_forces.hpp"
+#include "kernels/evaluate_forces.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -50,12 +50,8 @@ void rebuild(GrainSystem& system)
 
 void evaluate(GrainSystem& system)
 {
-    std::visit(
-        [&](auto const& law) {
-            evaluate_contacts(law, system.particles, system.settings.box, system.contacts, system.settings.dt,
-                              system.integrator.gate());
-        },
-        system.law);
+    evaluate_contacts(system.law, system.particles, system.settings.box, system.contacts, system.settings.dt,
+                      system.integrator.gate());
 }
 
 GrainSystem make_system(SystemSettings const& settings)
