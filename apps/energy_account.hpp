@@ -8,8 +8,6 @@
 
 #include "kernels/energy_terms.hpp"
 
-#include <array>
-
 namespace arenite {
 
 /// What is integrated over time, in the order of the arrays below.
@@ -27,20 +25,32 @@ enum class Work : int {
 };
 inline constexpr int work_count = 10;
 
-struct WorkArray : std::array<Real, work_count> {
-    Real& operator[](Work which) { return data()[static_cast<int>(which)]; }
-    Real operator[](Work which) const { return data()[static_cast<int>(which)]; }
+struct WorkArray {
+    Real values[work_count] = {};
+    KOKKOS_FUNCTION Real& operator[](Work which) { return values[static_cast<int>(which)]; }
+    KOKKOS_FUNCTION Real operator[](Work which) const { return values[static_cast<int>(which)]; }
+};
+
+/// What every step adds to. It lies with the grains, so that a step in balance makes the host wait no more than another.
+struct WorkSums {
+    WorkArray power;   // W, at the last step
+    WorkArray work;    // J, since the stage began
+    Real adhesion = 0; // J by which stored energy jumped where contacts began or ceased to adhere
+    Vec3 virial;       // J, of all forces at the last step
 };
 
 struct EnergyAccount {
-    WorkArray power{};                    // W, at the last step
-    WorkArray work{};                     // J, since the stage began
-    Real adhesion = 0;                    // J by which stored energy jumped where contacts began or ceased to adhere
+    Kokkos::View<WorkSums, MemorySpace> sums;
     Real removed = 0;                     // J that grains took with them when they left
     Real start = 0, start_tangential = 0; // J, total and of the tangential springs when the stage began
 
-    Vec3 virial;                                    // J, of all forces at the last step
-    View1<std::uint8_t> pair_adhered, wall_adhered; // scratch: the flags before the step's evaluation
+    View1<Real> terms;                              // scratch: of a step's powers
+    View1<std::uint8_t> pair_adhered, wall_adhered; // scratch: the flags when the last step's powers were summed
+    std::int64_t flags_of = -1;                     // of which list in this stage: how many searches came before
+
+    EnergyAccount();
+    WorkSums read_sums() const; // waits for the steps that were launched
+    void write_sums(WorkSums const& now) const;
 };
 
 struct StageSetup;

@@ -80,24 +80,28 @@ template <class ViewType> ViewType first_rows(ViewType const& view, int count)
 
 void save_energy(CheckpointWriter& out, EnergyAccount const& account)
 {
-    out.array("energy/power", std::vector<Real>(account.power.begin(), account.power.end()));
-    out.array("energy/work", std::vector<Real>(account.work.begin(), account.work.end()));
-    out.array("energy/sums", std::vector<Real>{account.adhesion, account.removed, account.start, account.start_tangential});
+    WorkSums const sums = account.read_sums();
+    auto const array = [](WorkArray const& a) { return std::vector<Real>(a.values, a.values + work_count); };
+    out.array("energy/power", array(sums.power));
+    out.array("energy/work", array(sums.work));
+    out.array("energy/sums", std::vector<Real>{sums.adhesion, account.removed, account.start, account.start_tangential});
 }
 
 EnergyAccount load_energy(CheckpointReader const& in)
 {
     EnergyAccount account;
     std::vector<Real> const power = in.array<Real>("energy/power"), work = in.array<Real>("energy/work"),
-                            sums = in.array<Real>("energy/sums");
+                            totals = in.array<Real>("energy/sums");
+    WorkSums sums;
     for (int n = 0; n < work_count; ++n) {
-        account.power.at(n) = power.at(n);
-        account.work.at(n) = work.at(n);
+        sums.power.values[n] = power.at(n);
+        sums.work.values[n] = work.at(n);
     }
-    account.adhesion = sums.at(0);
-    account.removed = sums.at(1);
-    account.start = sums.at(2);
-    account.start_tangential = sums.at(3);
+    sums.adhesion = totals.at(0);
+    account.write_sums(sums);
+    account.removed = totals.at(1);
+    account.start = totals.at(2);
+    account.start_tangential = totals.at(3);
     return account;
 }
 

@@ -37,25 +37,25 @@ template <class Law> Terms<3> wall_energies(Law const& law, RunState& state)
 
 void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunState& state, StageForces& forces)
 {
-    forces.pair_power = [&state, law](View1<std::uint8_t> const& adhered) {
-        return std::visit(
+    forces.sum_pair_power = [&state, law](Real* to, View1<std::uint8_t> const& adhered) {
+        std::visit(
             [&](auto const& l) {
-                return contact_power(reproducible_sums<8>(state.sums, "pair_power", blocks_of(state.contacts),
-                                                          pair_terms(l, state, adhered)));
+                reproducible_sums_to<contact_power_terms>(to, state.sums, "pair_power", blocks_of(state.contacts),
+                                                          pair_terms(l, state, adhered));
             },
             law);
     };
-    forces.wall_power = [&state, wall_law](View1<std::uint8_t> const& adhered, Vec3 const& origin) {
-        return std::visit(
+    forces.sum_wall_power = [&state, wall_law](Real* to, View1<std::uint8_t> const& adhered, Vec3 const& origin) {
+        std::visit(
             [&](auto const& l) {
-                return contact_power(reproducible_sums<8>(state.sums, "wall_power", state.wall_contacts.count,
-                                                          wall_terms(l, state, adhered, origin)));
+                reproducible_sums_to<contact_power_terms>(to, state.sums, "wall_power", state.wall_contacts.count,
+                                                          wall_terms(l, state, adhered, origin));
             },
             wall_law);
     };
-    forces.wall_work = [&state] {
-        return reproducible_sums<1>(state.sums, "wall_work", state.wall_contacts.count,
-                                    WallWork{state.wall_contacts, state.walls.views, state.particles.position})[0];
+    forces.sum_wall_work = [&state](Real* to) {
+        reproducible_sums_to<1>(to, state.sums, "wall_work", state.wall_contacts.count,
+                                WallWork{state.wall_contacts, state.walls.views, state.particles.position});
     };
     forces.stored = [&state, law, wall_law] {
         Terms<3> const pairs = std::visit([&](auto const& l) { return pair_energies(l, state); }, law);

@@ -15,11 +15,12 @@ struct StageForces {
     std::function<void(Real dt)> evaluate; // forces of grains and walls where everything is now
     std::function<ContactReport()> report; // energies and counts of the grains' contacts
 
-    // For a balance sheet. adhered: the contacts' flags before the last evaluation; origin: of the box's strain, m.
-    std::function<ContactPower(View1<std::uint8_t> const& adhered)> pair_power;
-    std::function<ContactPower(View1<std::uint8_t> const& adhered, Vec3 const& origin)> wall_power;
-    std::function<Real()> wall_work;      // W of moving walls on the grains: wall_power's `walls` alone
-    std::function<StoredEnergy()> stored; // of all contacts, walls included
+    // For a balance sheet, to `to` as reproducible_sums_to does it. adhered: the contacts' flags when they were last looked
+    // at, brought up to date; origin: of the box's strain, m.
+    std::function<void(Real* to, View1<std::uint8_t> const& adhered)> sum_pair_power; // contact_power's terms
+    std::function<void(Real* to, View1<std::uint8_t> const& adhered, Vec3 const& origin)> sum_wall_power;
+    std::function<void(Real* to)> sum_wall_work; // W of moving walls on the grains: `walls` of those alone
+    std::function<StoredEnergy()> stored;        // of all contacts, walls included; waits
 };
 
 /// Binds the laws of the planned stage to the state, which must outlive the result. friction below 0: the

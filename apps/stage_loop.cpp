@@ -81,7 +81,7 @@ void advance_grains_in_balance(StageSetup& setup, Cadence const& cadence, RunSta
     for (;;) {
         Phase const phase("grain step");
         drift(state.integrator, step, state.particles, state.contacts);
-        follow_drift(setup, state, true);
+        follow_drift(setup, state, cadence.stops_at(state.clock.stage_step + 1));
         begin_step(setup, state);
         setup.forces.evaluate(step.dt);
         kick(state.integrator, step, state.particles, state.contacts, force_rows(state.wall_contacts));

@@ -108,7 +108,8 @@ template <int N, class Term> void sum_chunks(char const* label, int terms, View1
 
 template <int N, class Term> void sum_blocks(char const* label, int terms, int span, Real* partial, Term const& term)
 {
-    Kokkos::parallel_for(label, TeamPolicy((terms + span - 1) / span, team), BlockSum<N, Term>{term, terms, span, partial});
+    int const blocks = terms > 0 ? (terms + span - 1) / span : 1; // the sum of no terms is written too
+    Kokkos::parallel_for(label, TeamPolicy(blocks, team), BlockSum<N, Term>{term, terms, span, partial});
 }
 
 template <int N> struct PartialTerm { // the sum of a part as a term of the next round
@@ -149,8 +150,7 @@ void reproducible_sums_to(Real* to, SumWorkspace& workspace, char const* label, 
     int const parts = reproducible::part_count(count);
     reproducible::reserve<N>(workspace, parts);
     if constexpr (on_host) {
-        reproducible::sum_chunks<N>(label, count, workspace.partial, term);
-        ExecutionSpace().fence(label);
+        reproducible::sum_chunks<N>(label, count, workspace.partial, term); // over when it returns
         for (int n = 0; n < N; ++n) to[n] = 0;
         for (int c = 0; c < parts; ++c)
             for (int n = 0; n < N; ++n) to[n] += workspace.partial(c * N + n);
@@ -169,10 +169,9 @@ Terms<N> reproducible_sums(SumWorkspace& workspace, char const* label, int count
     reproducible::reserve<N>(workspace, reproducible::part_count(count));
     Real* const to = on_host ? &total[0] : workspace.total.data();
     reproducible_sums_to<N>(to, workspace, label, count, term);
-    if constexpr (!on_host) {
-        ExecutionSpace().fence(label);
+    ExecutionSpace().fence(label);
+    if constexpr (!on_host)
         for (int n = 0; n < N; ++n) total[n] = to[n];
-    }
     return total;
 }
 

@@ -58,15 +58,14 @@ struct GrainPowerTerms {
 
 } // namespace
 
-GrainPower measure_grain_power(Particles const& particles, Vec3 const& gravity, PeriodicBox const& box, Vec3 const& origin,
-                               SumWorkspace& sums)
+void sum_grain_power(Real* to, Particles const& particles, Vec3 const& gravity, PeriodicBox const& box, Vec3 const& origin,
+                     SumWorkspace& sums)
 {
     bool const fluid = particles.fluid_force.is_allocated() && particles.pressure_force.is_allocated();
-    Terms<9> const t =
-        reproducible_sums<9>(sums, "measure_grain_power", particles.count,
-                             GrainPowerTerms{particles, quad_of(gravity), quad_of(origin), quad_of(box.strain_rate),
-                                             particles.applied_force.is_allocated(), fluid});
-    return {t[0], t[1], t[2], t[3], t[4], {t[5], t[6], t[7]}, t[8]};
+    reproducible_sums_to<grain_power_terms>(to, sums, "grain_power", particles.count,
+                                            GrainPowerTerms{particles, quad_of(gravity), quad_of(origin),
+                                                            quad_of(box.strain_rate), particles.applied_force.is_allocated(),
+                                                            fluid});
 }
 
 } // namespace arenite

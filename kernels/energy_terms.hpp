@@ -11,7 +11,7 @@
 
 namespace arenite {
 
-/// Powers [W] and energies [J] of grain-grain or grain-wall contacts.
+/// Powers [W] and energies [J] of grain-grain or grain-wall contacts, in the order of the sums that they come from.
 struct ContactPower {
     Real damping = 0;    // W, of the normal dashpots on the two bodies: negative where they slow
     Real tangential = 0; // W, of springs and dashpots in the contact plane
@@ -29,19 +29,31 @@ struct StoredEnergy {
     KOKKOS_FUNCTION Real total() const { return elastic + adhesive + tangential; }
 };
 
-/// Powers of forces that are not of contacts, W.
+/// Powers of forces that are not of contacts, W, likewise.
 struct GrainPower {
     Real gravity = 0, applied = 0;
     Real drag = 0, pressure = 0; // of the fluid: on the slip, and of -grad p + div tau
     Real held = 0;               // of what holds or moves grains whatever the forces
     Vec3 virial;                 // J, of the forces but those that hold: sum of force x (place - origin) along each axis
     Real total = 0;              // of the grains' total force and torque
-    Real outer() const { return gravity + applied + drag + pressure; }
+    KOKKOS_FUNCTION Real outer() const { return gravity + applied + drag + pressure; }
 };
 
-/// gravity [m/s2]; the box for its strain rate, which is about origin [m].
-GrainPower measure_grain_power(Particles const& particles, Vec3 const& gravity, PeriodicBox const& box, Vec3 const& origin,
-                               SumWorkspace& sums);
+inline constexpr int contact_power_terms = 8, grain_power_terms = 9;
+
+KOKKOS_FUNCTION inline ContactPower contact_power(Real const* sums)
+{
+    return {sums[0], sums[1], {sums[2], sums[3], sums[4]}, sums[5], sums[6], sums[7]};
+}
+KOKKOS_FUNCTION inline GrainPower grain_power(Real const* sums)
+{
+    return {sums[0], sums[1], sums[2], sums[3], sums[4], {sums[5], sums[6], sums[7]}, sums[8]};
+}
+
+/// What grain_power is made of, to `to`, as reproducible_sums_to does it: nobody waits. gravity [m/s2]; the box for its
+/// strain rate, which is about origin [m].
+void sum_grain_power(Real* to, Particles const& particles, Vec3 const& gravity, PeriodicBox const& box, Vec3 const& origin,
+                     SumWorkspace& sums);
 
 /// Elastic and surface energy of a normal contact: they add up to the work of its force from the state without contact.
 KOKKOS_FUNCTION inline StoredEnergy stored_energy(Real overlap, bool adheres, ContactScale<> const& scale,
@@ -99,7 +111,8 @@ template <class Law> struct PairPower {
     PairTable pairs;
     ContactList list;
     RecordView position, velocity, spin;
-    View1<std::uint8_t> material, adhered; // adhered: the flags before the last evaluation, or empty
+    View1<std::uint8_t> material;
+    View1<std::uint8_t> adhered; // the flags when this was last looked at, which it then follows, or empty
     PeriodicBox box;
     BlockTurns turns{list, 1};
 
@@ -172,7 +185,9 @@ template <class Law> struct PairPower {
             if (n >= list.count || adhered(n) == list.adhering(n)) return 0;
             int const i = list.first(n), j = list.second(n);
             Real const overlap = position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, n));
-            return adhesion_jump(adhered(n), list.adhering(n), overlap, scale_of(list, n), pairs(material(i), material(j)));
+            bool const before = adhered(n), now = list.adhering(n);
+            adhered(n) = now;
+            return adhesion_jump(before, now, overlap, scale_of(list, n), pairs(material(i), material(j)));
         });
     }
 };
@@ -196,6 +211,12 @@ template <class Law> struct WallPower {
     KOKKOS_FUNCTION Terms<8> operator()(int c) const
     {
         Terms<8> terms{};
+        bool now = false, before = false;
+        if constexpr (Law::adheres)
+            if (adhered.extent(0) > 0) {
+                before = adhered(c);
+                adhered(c) = now = list.adhering(c);
+            }
         if (!list.touching(c))
             return terms; // where a wall's contact snapped its row is empty: that jump stays in the residual
         int const i = list.grain(c);
@@ -214,9 +235,7 @@ template <class Law> struct WallPower {
         contact.velocity = vector_of(velocity, i) + box.stretch_velocity(offset) - wall;
         Real const turning = -arm * dot(moment, vector_of(spin, i));
         contact.total = dot(contact.force, contact.velocity) + turning;
-        bool now = false, before = false;
         if constexpr (Law::adheres) now = list.adhering(c);
-        if constexpr (Law::adheres) before = adhered.extent(0) > 0 && adhered(c);
         SplitPower<Real> const split = split_contact_power<Law>(contact, radius, pair, now, scale);
         terms[0] = split.damping;
         terms[1] = split.tangential;
@@ -283,10 +302,5 @@ template <class Law> struct WallEnergy {
         return {{energy.elastic, energy.adhesive, tangential}};
     }
 };
-
-inline ContactPower contact_power(Terms<8> const& sums)
-{
-    return {sums[0], sums[1], {sums[2], sums[3], sums[4]}, sums[5], sums[6], sums[7]};
-}
 
 } // namespace arenite
