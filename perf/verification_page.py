@@ -63,7 +63,7 @@ FINDINGS = """
 | H18: several ranks | the program refuses to start as one of several: it has no domain decomposition |
 | H18: GPU | `ctest -L determinism` compares a GPU's runs with each other; a CPU's bits are others, its sums round elsewhere |
 | H20: 1e6 steps | 4e4 of them: a test of seconds |
-| H21: fp32 | a number is a double everywhere: no scene uses another precision, and 4 digits of an overlap in 18 mm are too few |
+| H21: fp32 | a number is a double everywhere: no scene uses another precision, and 4 digits of an overlap in 18 mm are too few; the laws alone in single precision would save a fifth of a step ([performance.md](performance.md), what did not pay) |
 """
 
 
