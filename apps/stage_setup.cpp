@@ -107,18 +107,26 @@ Real servo_strain_rate(Real miss, Real largest, bool learns, Real& lasting_rate)
     return std::clamp(lasting_rate + miss * largest, -largest, largest);
 }
 
-/// The box follows the step that the grains just made; then the next rates: those that the scene gives, and those that
-/// bring the stress of an axis to its target.
-void steer_box(StageSetup const& setup, RunState& state)
+/// It is time to look at the stress of a box that is to hold one.
+bool box_is_due(StageSetup const& setup, RunState const& state)
 {
-    constexpr int interval = 10; // steps between two looks at the stress
+    constexpr int interval = 10; // steps
+    auto const& box = setup.planned->settings.box;
+    return box && box->holds_stress() && state.clock.stage_step % interval == 0;
+}
+
+/// The box follows the step that the grains just made; then the next rates: those that the scene gives, and at a look
+/// those that bring the stress of an axis to its target.
+void steer_box(StageSetup const& setup, RunState& state, bool looks)
+{
     BoxSettings const& box = *setup.planned->settings.box;
     Vec3 const size = state.box.size();
     for (int axis = 0; axis < 3; ++axis)
         state.box.upper[axis] = state.box.lower[axis] + size[axis] * (1 + setup.step.dt * state.box.strain_rate[axis]);
     for (int axis = 0; axis < 3; ++axis)
         if (box.strain_rate[axis]) state.box.strain_rate[axis] = *box.strain_rate[axis];
-    if (!box.holds_stress() || state.clock.stage_step % interval != 0) return;
+    if (!looks) return;
+    Phase const phase("box stress");
     Vec3 const stress = mean_stress(state.particles, state.box, state.contacts, state.sums);
     bool const driven = is_driven(box);
     for (int axis = 0; axis < 3; ++axis)
@@ -129,23 +137,24 @@ void steer_box(StageSetup const& setup, RunState& state)
         }
 }
 
-void advance_walls(StageSetup& setup, RunState& state)
+/// looks: at the stress of the box, which all launched steps must have made.
+void advance_walls(StageSetup& setup, RunState& state, bool looks)
 {
     if (setup.walls_move) move_walls(state.walls, setup.step.dt);
-    if (setup.planned->settings.box) steer_box(setup, state);
+    if (setup.planned->settings.box) steer_box(setup, state, looks);
     if (setup.carrier >= 0) ride_on_carrier(setup, state);
     setup.step.strain_rate = state.box.strain_rate;
 }
 
-/// Back to the step after the drift that found the list stale. Of what the host does in a step only the walls' programs, and
-/// what rides on them, go on without knowing: they are run again from where they were known.
+/// Back to the step after the drift that found the list stale. Of what the host does in a step only the programs of walls
+/// and box, and what rides on them, go on without knowing: they are run again from where they were known.
 void go_back(StageSetup& setup, RunState& state, int steps)
 {
     state.clock.step -= steps;
     state.clock.stage_step -= steps;
-    if (!setup.walls_move) return;
-    state.walls.state = setup.known.walls;
-    for (std::int64_t step = setup.known.step; step < state.clock.step; ++step) advance_walls(setup, state);
+    if (setup.walls_move) state.walls.state = setup.known.walls;
+    state.box = setup.known.box;
+    for (std::int64_t step = setup.known.step; step < state.clock.step; ++step) advance_walls(setup, state, false);
 }
 
 /// How long the list has lasted, of how long a list with this skin s should last. A skin costs a step 0.3 s/d of its time,
@@ -221,17 +230,25 @@ void search(StageSetup& setup, RunState& state) { search(setup, state, {}); }
 
 void follow_drift(StageSetup& setup, RunState& state, bool must_know)
 {
-    if (setup.walls_move && setup.known.step == state.clock.step) setup.known.walls = state.walls.state;
+    if (setup.known.step == state.clock.step) {
+        if (setup.walls_move) setup.known.walls = state.walls.state;
+        setup.known.box = state.box;
+    }
     ++state.clock.step;
     ++state.clock.stage_step;
-    advance_walls(setup, state);
+    bool const box_looks = box_is_due(setup, state);
+    int in_vain = box_looks ? take_stale(state.integrator) : -1;
+    if (in_vain > 0) go_back(setup, state, in_vain);
+    else advance_walls(setup, state, box_looks);
     bool const walls_came_near =
         setup.walls_move && wall_displacement(state.walls, state.wall_contacts.reference_pose) > setup.step.allowed_move;
     bool const outlived = state.skin > setup.least_skin && age_of_list(setup, state) > 4;
-    bool const host_acts = walls_came_near || outlived || setup.planned->settings.box || servo_is_due(state.walls);
-    if (!must_know && !host_acts && !says_stale(state.integrator)) return;
-    int const in_vain = take_stale(state.integrator);
-    if (in_vain > 0) go_back(setup, state, in_vain);
+    bool const host_acts = walls_came_near || outlived || servo_is_due(state.walls);
+    if (!must_know && !host_acts && !box_looks && !says_stale(state.integrator)) return;
+    if (!box_looks) {
+        in_vain = take_stale(state.integrator);
+        if (in_vain > 0) go_back(setup, state, in_vain);
+    }
     if (in_vain >= 0 || walls_came_near || outlived) renew_lists(setup, state);
     setup.known.step = state.clock.step;
 }

@@ -9,10 +9,12 @@
 
 namespace arenite {
 
-/// Where the host was when it last knew the grains' steps to be made: it moves the walls of steps that are only launched.
+/// Where the host was when it last knew the grains' steps to be made: it moves the walls and the box of steps that are only
+/// launched.
 struct LastKnown {
     std::int64_t step = -1;
     std::vector<WallState> walls; // only where walls move
+    PeriodicBox box;
 };
 
 /// The skin over the smallest diameter: within these, and so that the list lasts balanced_list_age steps divided by it.

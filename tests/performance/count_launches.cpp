@@ -24,7 +24,7 @@ struct Step {
     int launches = 0, waits = 0;
     bool searches = false; // the lists are renewed
     bool stops = false;    // the host waits after it too: output, a fluid step, the look at the state every 100 steps
-    bool servos = false;   // a servo looks at its force
+    bool servos = false;   // a servo looks at its force, or a box at its stress
     bool over = true;
 };
 
@@ -77,7 +77,7 @@ void begin_phase(char const* name)
         listener.step.over = false;
     }
     if (listener.phases.back() == "contact search") listener.step.searches = true;
-    if (listener.phases.back() == "wall reactions") listener.step.servos = true;
+    if (listener.phases.back() == "wall reactions" || listener.phases.back() == "box stress") listener.step.servos = true;
 }
 void end_phase()
 {
@@ -128,11 +128,11 @@ Tools::EventSet callbacks()
     return set;
 }
 
-/// All stages of the small scene.
-std::map<std::string, StageCount> count_stages(bool balance)
+/// All stages of a test scene.
+std::map<std::string, StageCount> count_stages(std::string const& scene, bool balance)
 {
     RunOptions options;
-    options.scene = ARENITE_TEST_SCENES "/small.toml";
+    options.scene = ARENITE_TEST_SCENES "/" + scene;
     options.folder = (std::filesystem::temp_directory_path() / "arenite_count_launches").string();
     options.overrides = {balance ? "output.energies=true" : "output.energies=false"};
     options.quiet = true;
@@ -155,12 +155,12 @@ std::map<std::string, StageCount> count_stages(bool balance)
 /// Counted once.
 std::map<std::string, StageCount> const& counts()
 {
-    static std::map<std::string, StageCount> const stages = count_stages(false);
+    static std::map<std::string, StageCount> const stages = count_stages("small.toml", false);
     return stages;
 }
 std::map<std::string, StageCount> const& counts_in_balance()
 {
-    static std::map<std::string, StageCount> const stages = count_stages(true);
+    static std::map<std::string, StageCount> const stages = count_stages("small.toml", true);
     return stages;
 }
 
@@ -192,6 +192,17 @@ TEST(CountLaunches, ABalanceSheetMakesNobodyWait)
     ASSERT_EQ(counts_in_balance().count("production"), 1u);
     EXPECT_EQ(counts_in_balance().at("production").steps, counts().at("production").steps);
     for (auto const& [name, stage] : counts_in_balance()) {
+        EXPECT_EQ(stage.unexplained_waits, 0) << name;
+        EXPECT_EQ(stage.servo_waits, 2 * stage.servo_steps) << name;
+    }
+}
+
+TEST(CountLaunches, ABoxThatDeformsWaitsTwiceALook)
+{
+    std::map<std::string, StageCount> const stages = count_stages("periodic.toml", true);
+    ASSERT_EQ(stages.count("stir"), 1u);
+    EXPECT_GT(stages.at("stir").servo_steps, 10);
+    for (auto const& [name, stage] : stages) {
         EXPECT_EQ(stage.unexplained_waits, 0) << name;
         EXPECT_EQ(stage.servo_waits, 2 * stage.servo_steps) << name;
     }
