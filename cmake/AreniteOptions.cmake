@@ -41,9 +41,9 @@ if(ARENITE_SANITIZE)
 endif()
 list(JOIN arenite_host_flags "," arenite_flags_through_nvcc)
 
-# The kernels of contacts, sources with what shares their terms, and the exchange with the fluid may fuse: one kernel evaluates a pair, whatever
-# the step is for, so nothing has to round alike elsewhere, and it is bound by the length of its chains of multiplies and
-# adds (12 % of its time).
+# Sources of the contacts' kernels, what shares their terms, and the exchange with the fluid may fuse: one kernel evaluates a
+# pair, whatever the step is for, so nothing has to round alike elsewhere, and it is bound by the length of its chains of
+# multiplies and adds (12 % of its time).
 function(arenite_fuse_multiply_add)
   set_source_files_properties(${ARGN} PROPERTIES
     COMPILE_OPTIONS "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast>"
