@@ -108,9 +108,9 @@ struct KeepFlags {
 };
 
 /// Of a list that is new. A kernel and no deep_copy, and memory that only grows: neither makes the host wait.
-void keep(View1<std::uint8_t> const& flags, int count, View1<std::uint8_t>& kept)
+void keep(View1<std::uint8_t> const& flags, View1<std::uint8_t>& kept)
 {
-    if (!flags.is_allocated() || count == 0) {
+    if (flags.extent(0) == 0) {
         kept = {};
         return;
     }
@@ -145,8 +145,8 @@ void begin_step(StageSetup const& setup, RunState& state)
 {
     EnergyAccount& account = *state.energy;
     if (account.flags_of != setup.searches) {
-        keep(state.contacts.adhering, state.contacts.count, account.pair_adhered);
-        keep(state.wall_contacts.adhering, state.wall_contacts.count, account.wall_adhered);
+        keep(state.contacts.adhering, account.pair_adhered);
+        keep(state.wall_contacts.adhering, account.wall_adhered);
         account.flags_of = setup.searches;
     }
     bool const rides = setup.carrier >= 0 || setup.planned->settings.box;

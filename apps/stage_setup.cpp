@@ -115,9 +115,8 @@ bool box_is_due(StageSetup const& setup, RunState const& state)
     return box && box->holds_stress() && state.clock.stage_step % interval == 0;
 }
 
-/// The box follows the step that the grains just made; then the next rates: those that the scene gives, and at a look
-/// those that bring the stress of an axis to its target.
-void steer_box(StageSetup const& setup, RunState& state, bool looks)
+/// The box follows the step that the grains just made; then it goes on at the rates that the scene gives.
+void move_box(StageSetup const& setup, RunState& state)
 {
     BoxSettings const& box = *setup.planned->settings.box;
     Vec3 const size = state.box.size();
@@ -125,8 +124,13 @@ void steer_box(StageSetup const& setup, RunState& state, bool looks)
         state.box.upper[axis] = state.box.lower[axis] + size[axis] * (1 + setup.step.dt * state.box.strain_rate[axis]);
     for (int axis = 0; axis < 3; ++axis)
         if (box.strain_rate[axis]) state.box.strain_rate[axis] = *box.strain_rate[axis];
-    if (!looks) return;
+}
+
+/// The next rates of axes that hold a stress: those that bring it to its target. All launched steps must have been made.
+void steer_box(StageSetup& setup, RunState& state)
+{
     Phase const phase("box stress");
+    BoxSettings const& box = *setup.planned->settings.box;
     Vec3 const stress = mean_stress(state.particles, state.box, state.contacts, state.sums);
     bool const driven = is_driven(box);
     for (int axis = 0; axis < 3; ++axis)
@@ -135,13 +139,13 @@ void steer_box(StageSetup const& setup, RunState& state, bool looks)
             state.box.strain_rate[axis] =
                 servo_strain_rate(miss, box.max_strain_rate, driven, state.lasting_strain_rate[axis]);
         }
+    setup.step.strain_rate = state.box.strain_rate;
 }
 
-/// looks: at the stress of the box, which all launched steps must have made.
-void advance_walls(StageSetup& setup, RunState& state, bool looks)
+void advance_walls(StageSetup& setup, RunState& state)
 {
     if (setup.walls_move) move_walls(state.walls, setup.step.dt);
-    if (setup.planned->settings.box) steer_box(setup, state, looks);
+    if (setup.planned->settings.box) move_box(setup, state);
     if (setup.carrier >= 0) ride_on_carrier(setup, state);
     setup.step.strain_rate = state.box.strain_rate;
 }
@@ -154,7 +158,7 @@ void go_back(StageSetup& setup, RunState& state, int steps)
     state.clock.stage_step -= steps;
     if (setup.walls_move) state.walls.state = setup.known.walls;
     state.box = setup.known.box;
-    for (std::int64_t step = setup.known.step; step < state.clock.step; ++step) advance_walls(setup, state, false);
+    for (std::int64_t step = setup.known.step; step < state.clock.step; ++step) advance_walls(setup, state);
 }
 
 /// How long the list has lasted, of how long a list with this skin s should last. A skin costs a step 0.3 s/d of its time,
@@ -236,19 +240,15 @@ void follow_drift(StageSetup& setup, RunState& state, bool must_know)
     }
     ++state.clock.step;
     ++state.clock.stage_step;
-    bool const box_looks = box_is_due(setup, state);
-    int in_vain = box_looks ? take_stale(state.integrator) : -1;
-    if (in_vain > 0) go_back(setup, state, in_vain);
-    else advance_walls(setup, state, box_looks);
+    advance_walls(setup, state);
     bool const walls_came_near =
         setup.walls_move && wall_displacement(state.walls, state.wall_contacts.reference_pose) > setup.step.allowed_move;
     bool const outlived = state.skin > setup.least_skin && age_of_list(setup, state) > 4;
-    bool const host_acts = walls_came_near || outlived || servo_is_due(state.walls);
-    if (!must_know && !host_acts && !box_looks && !says_stale(state.integrator)) return;
-    if (!box_looks) {
-        in_vain = take_stale(state.integrator);
-        if (in_vain > 0) go_back(setup, state, in_vain);
-    }
+    bool const host_acts = walls_came_near || outlived || box_is_due(setup, state) || servo_is_due(state.walls);
+    if (!must_know && !host_acts && !says_stale(state.integrator)) return;
+    int const in_vain = take_stale(state.integrator);
+    if (in_vain > 0) go_back(setup, state, in_vain);
+    if (box_is_due(setup, state)) steer_box(setup, state); // of the step that it may have gone back to
     if (in_vain >= 0 || walls_came_near || outlived) renew_lists(setup, state);
     setup.known.step = state.clock.step;
 }

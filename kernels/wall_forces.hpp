@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernel of the forces of walls on grains, under a contact law chosen outside the step. A wall is a body of infinite radius and mass:
-// R* = R_i, m* = m_i, and the arm reaches from the grain's centre to the wall's nearest point.
+// The kernel of the forces of walls on grains, under a contact law chosen outside the step. A wall is a body of infinite
+// radius and mass: R* = R_i, m* = m_i, and the arm reaches from the grain's centre to the wall's nearest point.
 #pragma once
 
 #include "core/turns.hpp"

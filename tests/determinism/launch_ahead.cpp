@@ -118,6 +118,7 @@ TEST_P(LaunchAheadStages, AreTheSameForAnyLook)
     ASSERT_EQ(prompt.energy.has_value(), balance);
     if (!balance) return;
     WorkSums const on_time = prompt.energy->read_sums(), ahead = late.energy->read_sums();
+    EXPECT_NE(on_time.work[Work::normal_damping], 0);
     for (int n = 0; n < work_count; ++n) EXPECT_EQ(on_time.work.values[n], ahead.work.values[n]) << n;
     EXPECT_EQ(on_time.adhesion, ahead.adhesion);
 }

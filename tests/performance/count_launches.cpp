@@ -29,10 +29,10 @@ struct Step {
 };
 
 struct StageCount {
-    std::int64_t steps = 0, searches = 0, launches = 0, waits = 0; // of steps that do not search
-    std::int64_t unexplained_waits = 0;                            // nor stop, nor serve a servo
-    int most_launches = 0;                                         // of these
-    std::int64_t servo_steps = 0, servo_waits = 0;                 // that do not stop
+    std::int64_t steps = 0, searches = 0, stops = 0, launches = 0, waits = 0; // of steps that do not search
+    std::int64_t unexplained_waits = 0;                                       // nor stop, nor serve a servo
+    int most_launches = 0;                                                    // of these
+    std::int64_t servo_steps = 0, servo_waits = 0;                            // that do not stop
 };
 
 struct Listener {
@@ -48,6 +48,7 @@ void count_step(StageCount& stage, Step const& step)
 {
     ++stage.steps;
     stage.searches += step.searches;
+    stage.stops += step.stops;
     if (step.searches) return;
     stage.launches += step.launches;
     stage.waits += step.waits;
@@ -149,6 +150,8 @@ std::map<std::string, StageCount> count_stages(std::string const& scene, bool ba
                     static_cast<long long>(stage.searches), static_cast<double>(stage.launches) / plain,
                     static_cast<double>(stage.waits) / plain);
     }
+    // Else its waits would be excused.
+    for (auto const& [name, stage] : listener.stages) EXPECT_LT(10 * stage.stops, stage.steps) << name;
     return listener.stages;
 }
 
