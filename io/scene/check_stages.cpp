@@ -87,8 +87,12 @@ void check_end(Scene const& scene, StageSettings const& s, std::string const& st
         faults.add(path + ".box_stress_tolerance", "no axis of this stage's box holds a stress");
 }
 
-void check_box(Scene const& scene, BoxSettings const& b, std::string const& path, Faults& faults)
+void check_box(Scene const& scene, StageSettings const& s, std::string const& path, Faults& faults)
 {
+    BoxSettings const& b = *s.box;
+    if (s.kind == StageKind::compression) // its parts choose a carrier
+        faults.add(path, "a stage of kind compression strains with its servo's wall: give a box to one of kind dynamics");
+    else if (!s.carrier.empty()) faults.add(path, "stands beside carrier: grains ride on one strain, give one of them");
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::string const where = path + "." + "xyz"[axis];
         bool const rate = b.strain_rate[axis].has_value(), stress = b.stress[axis].has_value();
@@ -152,7 +156,7 @@ void check_stages(Scene const& scene, Faults& faults)
         check_time(scene, s, path, faults);
         check_actions(scene, s, path, walls, faults);
         check_end(scene, s, path, walls, faults);
-        if (s.box) check_box(scene, *s.box, path + ".box", faults);
+        if (s.box) check_box(scene, s, path + ".box", faults);
         generated = generated || s.kind == StageKind::generation;
     }
     if (scene.particles.source == ParticleSource::distribution && !generated)

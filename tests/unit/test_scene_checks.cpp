@@ -208,6 +208,9 @@ TEST(SceneChecks, PeriodicBox)
 {
     EXPECT_EQ(faults_with({"stages.press.box.x.strain_rate=-0.1"}), "");
     expect_fault({"stages.press.box.z.strain_rate=-0.1"}, "the domain is not periodic along this axis");
+    expect_fault({"stages.press.box.x.strain_rate=-0.1", "stages.press.carrier=top"}, "stands beside carrier");
+    expect_fault({"stages.press.box.x.strain_rate=-0.1", "stages.press.kind=compression"},
+                 "a stage of kind compression strains with its servo's wall");
     expect_fault({"stages.press.box.x.stress=1e6"}, "missing key max_strain_rate [1/s]");
     expect_fault({"stages.press.box.x={stress=1e6, strain_rate=1}"}, "needs one of strain_rate and stress, not both");
 }
