@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # perf/cuda_report.sh [OBJECT...]: what the CUDA compiler says of every kernel of the step: registers, spills, shared memory,
 # and the occupancy that they leave on sm_90. Needs nvcc, CMake, ninja and Python 3; no GPU. Writes
-# perf/results/cuda_sm90/kernels.csv. OBJECT: only these (stage_forces, deposit, ...), for a quick look at one file.
+# perf/results/cuda_sm90/kernels.csv. OBJECT: only these (contact_forces, deposit, ...), for a quick look at one file.
 # ARENITE_CUDA_BUILD names another build folder, ARENITE_CUDA_JOBS how many compilers run at once.
 set -euo pipefail
 
@@ -26,7 +26,7 @@ cmake -S "$root" -B "$build" --preset bare-cuda -DARENITE_ENABLE_TESTS=OFF \
     -DARENITE_CUDA_SOURCES_TOGETHER=1 -DCMAKE_CUDA_FLAGS=-Xptxas=-v \
     -DCMAKE_CUDA_COMPILER_LAUNCHER="$build/keep_report.sh" >"$build/configure.log" ||
     { cat "$build/configure.log" >&2; exit 1; }
-# The libraries of the step, and the one file that instantiates the contact laws.
+# The libraries of the step, and the one file of apps that has kernels for every contact law (powers and energies).
 step='(core|kernels|fluid)\/.*\.cpp\.o|apps\/.*\/stage_forces\.cpp\.o'
 objects=$(ninja -C "$build" -t targets all | sed -nE "s/^($step):.*/\1/p")
 if [ $# -gt 0 ]; then

@@ -1,16 +1,10 @@
 # Tests of the grains: contact laws, search, integrator. Pairs and small packs gain nothing from threads, so
 # these run on one; the determinism tests set their own number.
-arenite_test(test_jkr unit unit/test_jkr.cpp LINK arenite_verify)
-arenite_test(test_material unit unit/test_material.cpp LINK arenite_verify)
-arenite_test(test_tangential unit unit/test_tangential.cpp LINK arenite_verify)
-arenite_test(test_contact_forces unit unit/test_contact_forces.cpp LINK arenite_verify)
-arenite_test(test_contact_search unit unit/test_contact_search.cpp LINK arenite_verify)
-arenite_test(test_integrate unit unit/test_integrate.cpp LINK arenite_verify)
-arenite_test(test_verify unit unit/test_verify.cpp LINK arenite_verify)
-set_tests_properties(test_jkr test_material test_tangential test_contact_forces test_contact_search test_integrate
-  test_verify PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
+arenite_test(test_grains unit unit/test_jkr.cpp unit/test_material.cpp unit/test_tangential.cpp unit/test_contact_forces.cpp
+  unit/test_contact_search.cpp unit/test_integrate.cpp unit/test_verify.cpp LINK arenite_verify)
+set_tests_properties(test_grains PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 
-arenite_test(test_turns unit unit/test_turns.cpp) # on more threads than one
+arenite_test(test_core unit unit/test_turns.cpp unit/test_reproducible_sum.cpp) # on more threads than one
 
 # What `arenite verify` runs, a ctest a group.
 add_executable(verify_groups verification/verify_groups.cpp)

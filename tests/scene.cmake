@@ -1,11 +1,7 @@
 # Scene files: vocabulary, validation, examples.
-arenite_test(test_scene_file unit unit/test_scene_file.cpp LINK arenite_scene)
-arenite_test(test_scene_values unit unit/test_scene_values.cpp LINK arenite_scene)
-arenite_test(test_scene_keys unit unit/test_scene_keys.cpp unit/scene_keys.cpp LINK arenite_scene)
-arenite_test(test_scene_checks unit unit/test_scene_checks.cpp LINK arenite_scene)
-arenite_test(test_scene_round_trip unit unit/test_scene_round_trip.cpp LINK arenite_scene)
-arenite_test(test_grain_csv unit unit/test_grain_csv.cpp LINK arenite_scene)
+arenite_test(test_scene unit unit/test_scene_file.cpp unit/test_scene_values.cpp unit/test_scene_keys.cpp unit/scene_keys.cpp
+  unit/test_scene_checks.cpp unit/test_scene_round_trip.cpp unit/test_grain_csv.cpp LINK arenite_scene)
 arenite_test(test_scene_examples smoke unit/test_scene_examples.cpp LINK arenite_scene)
-foreach(name test_scene_examples test_scene_keys test_scene_round_trip)
+foreach(name test_scene test_scene_examples)
   target_compile_definitions(${name} PRIVATE ARENITE_SOURCE_DIR="${CMAKE_CURRENT_LIST_DIR}/..")
 endforeach()

@@ -20,7 +20,7 @@ namespace {
 constexpr Real diameter = 3e-4, grain_volume = std::numbers::pi_v<Real> / 6 * diameter * diameter * diameter;
 constexpr Real fluid_dt = 2e-5;
 
-Region const box{{0, 0, 0}, {6e-3, 5e-3, 4e-3}};
+Region const domain{{0, 0, 0}, {6e-3, 5e-3, 4e-3}};
 
 FluidSettings settings()
 {
@@ -41,7 +41,7 @@ std::vector<Grain> random_grains(int count)
     for (int g = 0; g < count; ++g) {
         for (int axis = 0; axis < 3; ++axis) {
             Real const place = 0.02 + 0.96 * share(engine); // does not leave within the tests' few steps
-            grains[g].position[axis] = box.lower[axis] + place * (box.upper[axis] - box.lower[axis]);
+            grains[g].position[axis] = domain.lower[axis] + place * (domain.upper[axis] - domain.lower[axis]);
             grains[g].velocity[axis] = 0.05 * (share(engine) - 0.5);
         }
         grains[g].diameter = diameter * (0.7 + 0.3 * share(engine));
@@ -60,7 +60,7 @@ struct Coupled {
 
     Coupled(FluidSettings const& settings_now, std::vector<Grain> const& grains)
         : fluid(settings_now), particles(make_particles(grains, {2605})),
-          flow(make_flow(settings_now, box, true, {0, 0, -9.81})), boundary(make_boundary(settings_now, flow.grid)),
+          flow(make_flow(settings_now, domain, true, {0, 0, -9.81})), boundary(make_boundary(settings_now, flow.grid)),
           solver(make_flow_solver(settings_now, flow)), exchange(make_exchange(flow, particles, settings_now, 1))
     {
     }

@@ -12,7 +12,7 @@
 namespace arenite {
 namespace {
 
-constexpr Real pi = std::numbers::pi_v<Real>;
+using std::numbers::pi;
 
 struct Sampled {
     std::vector<Vec3> points;

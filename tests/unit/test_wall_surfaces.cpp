@@ -10,7 +10,7 @@
 namespace arenite {
 namespace {
 
-constexpr Real pi = std::numbers::pi_v<Real>;
+using std::numbers::pi;
 constexpr Real slack = 1e-7;         // the domain's, by which planes on its faces count as inside
 constexpr Real circle_error = 0.003; // a polygon of 48 corners has 0.29 % less area than its circle
 
