@@ -58,7 +58,7 @@ FINDINGS = """
 | C2: d/x = 4 | 1e5 cells for one grain; d/x = 2 shows the same slip as 1 |
 | C6, C8 to C12, D18 to D20, G5 | studies of scenes, not closed forms |
 | D16, D17, G3 | [material.md](material.md), by `perf/material/run.py`; in small `verify_triaxial` in ctest |
-| D15 | `verify_servo` in ctest |
+| D15 | `verify_walls` in ctest |
 | H1 to H11, H13 to H20 | hard cases, not closed forms: `ctest -L 'stability|determinism'`; `grep -rw H16 tests` finds the test of one |
 | H18: several ranks | the program refuses to start as one of several: it has no domain decomposition |
 | H18: GPU | `ctest -L determinism` compares a GPU's runs with each other; a CPU's bits are others, its sums round elsewhere |

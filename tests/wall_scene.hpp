@@ -5,6 +5,7 @@
 #include "core/wall_motion.hpp"
 #include "kernels/contact/contact_laws.hpp"
 #include "kernels/contact_search.hpp"
+#include "kernels/evaluate_forces.hpp"
 #include "kernels/integrate.hpp"
 #include "kernels/wall_contacts.hpp"
 #include "kernels/wall_reactions.hpp"
@@ -100,7 +101,11 @@ struct WallScene {
         evaluate();
     }
 
-    void evaluate();
+    void evaluate()
+    {
+        evaluate_contacts(law, particles, box, contacts, settings.dt);
+        evaluate_wall_contacts(law, particles, walls, wall_contacts, settings.dt);
+    }
 
     void step()
     {
