@@ -34,8 +34,7 @@ KOKKOS_FORCEINLINE_FUNCTION LineTurn<N> contact_turn(Vector<N> const& previous_n
 /// The turn of a step in which the centres went along straight lines, as they do between two evaluations.
 template <class N> struct StraightTurn {
     LineTurn<N> turn;
-    Vector<N> across; // m/s: how the first centre moves relative to the second, without what is along the line
-    N kept;           // share of `across` that remains, seen across the line, if what is along `mean` goes as well
+    Vector<N> across; // m/s, across the line: how the first centre moves relative to the second without what is along `mean`
     N twice_cosine;   // 1 + n' . n = 2 cos^2(angle / 2)
     N parting;        // m2/s: line . (velocity of the first centre relative to the second)
 };
@@ -66,8 +65,9 @@ KOKKOS_FORCEINLINE_FUNCTION StraightTurn<N> straight_turn(Vector<N> const& line,
         cosine = select(usual, cosine, 1 / secant);
         half = select(usual, half, exact / (1 + secant));
     }
+    // What remains of `across`, seen across the line, if what is along `mean` goes as well.
     N const kept = 1 + Real(0.5) * (time_over_square * cosine * (parting - half * square));
-    return {{line, inverse_square, line - half * across}, across, kept, 1 + cosine, parting};
+    return {{line, inverse_square, line - half * across}, kept * across, 1 + cosine, parting};
 }
 
 /// Carries a vector of the old contact plane into the new one, as the contact turns: the smallest rotation
@@ -114,7 +114,7 @@ KOKKOS_FORCEINLINE_FUNCTION Vector<N> slip_over(StraightTurn<N> const& step, Vec
     // Across the line, of: the approach without what is along `mean`, less counted rolling x mean.
     LineTurn<N> const& turn = step.turn;
     Vector<N> const level = rolling - (dot(rolling, turn.line) * turn.inverse_square) * turn.mean;
-    return less_cross(step.kept * step.across, counted * level, turn.line);
+    return less_cross(step.across, counted * level, turn.line);
 }
 
 /// What makes of the spins of a pair (sum: omega_i + omega_j) spins as Cayley's relation counts them, 2/dt tan(omega dt/2):
