@@ -143,7 +143,7 @@ Fields stage_fields(StageSettings& s, std::vector<MaterialSettings> const& mater
                      {"form_bonds", &s.form_bonds, "", "with law = \"modified_jkr\": what touches at the start is bonded"}),
         {"carrier", &s.carrier, "",
          "plane wall; grains ride on the homogeneous strain that its motion means for the domain (fast, even "
-         "compression)"},
+         "compression); not beside a box that strains"},
         standing_for("friction stays",
                      {"target_porosity", &s.target_porosity, "",
                       "with a servo: friction falls until the porosity under its stress is this", between(0, 1)}),

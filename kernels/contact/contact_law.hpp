@@ -46,14 +46,13 @@ template <class Normal, class Tangential> struct ContactLaw {
     {
         NormalResponse<N> response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
         state.touching = response.touches;
-        N const stiffness = 2 * pair.effective_youngs_modulus * response.contact_radius;
-        response.dashpot = pair.damping_factor * square_root(stiffness * contact.scale.effective_mass);
-        N normal_force =
-            response.force - response.dashpot * contact.motion.normal_velocity; // paper eq 32, velocity outside the root
+        response.dashpot = pair.damping_factor * response.impedance;
+        // Paper eq 32, velocity outside the root.
+        N normal_force = response.force - (pair.damping_factor * contact.motion.normal_velocity) * response.impedance;
         if (pair.clip_attraction)
             normal_force = select(response.pull_off_force > N(0), normal_force, larger(normal_force, N(0)));
-        Vector<N> const tangential =
-            Tangential{}(contact.motion.slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
+        Vector<N> const tangential = Tangential{}.template operator()<Normal::radius_is_late>(
+            contact.motion.slip, response, normal_force, pair, state.spring, state.previous_radius, dt);
         if constexpr (has_history) {
             state.spring = select(state.touching, state.spring, Vector<N>{});
             state.previous_radius = select(state.touching, state.previous_radius, N(0));

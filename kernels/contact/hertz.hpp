@@ -16,7 +16,7 @@ KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> hertz_response(N const& overlap, N
 }
 
 struct HertzNormal {
-    static constexpr bool adheres = false;
+    static constexpr bool adheres = false, radius_is_late = false;
 
     template <class N>
     KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale,
@@ -25,6 +25,7 @@ struct HertzNormal {
         NormalResponse<N> response =
             hertz_response(larger(overlap, N(0)), scale.effective_radius, pair.effective_youngs_modulus);
         response.touches = overlap > N(0);
+        response.impedance = square_root(2 * pair.effective_youngs_modulus * scale.effective_mass * response.contact_radius);
         return response;
     }
 

@@ -27,14 +27,16 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N jkr_root(N const& scaled_overla
     // t is 0 or at least 1.5e-8 (a rounding of the overlap): the difference keeps seven digits, Newton makes it fourteen.
     N const v = square_root(t + shift) - root_of_shift;
     // Fitted by iterated weighted least squares to z(v)/v on Chebyshev nodes, v in [0, 10].
+    // Both halves of a polynomial at the same time: all that a lane does not do is wait for these.
+    N const vv = v * v;
     N const numerator =
-        (((0.3239110302929624 * v + 1.9826330073992697) * v + 4.219790593539728) * v + 3.776546358655918) * v +
+        ((0.3239110302929624 * v + 1.9826330073992697) * vv + (4.219790593539728 * v + 3.776546358655918)) * v +
         1.2599210492641482;
     N const denominator =
-        (((0.3239109768047354 * v + 1.8430147453437336) * v + 3.6682784835468767) * v + 3.1183321643698894) * v + 1;
+        ((0.3239109768047354 * v + 1.8430147453437336) * vv + (3.6682784835468767 * v + 3.1183321643698894)) * v + 1;
     // The fit is of z/v; a touch above 0 keeps Newton's slope from vanishing at S itself. Newton's step from z = p / q with
     // both sides multiplied by q^4: one quotient in place of two, one after the other.
-    N const p = larger(v * numerator, N(1e-30)), q = denominator, pp = p * p, pq = p * q, qq = q * q;
+    N const p = v * numerator + N(1e-30), q = denominator, pp = p * p, pq = p * q, qq = q * q;
     N const value = pp * (pp + 4 * y_S * pq + 6 * y_S * y_S * qq) - square * (qq * qq);
     N const slope = p * (4 * pp + 12 * y_S * pq + 12 * y_S * y_S * qq);
     return y_S + larger((p * slope - value) / (q * slope), N(0));
@@ -54,14 +56,16 @@ KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> jkr_response(N const& overlap, Con
     N const y = jkr_root(overlap * jkr_inverse_length(scale, pair));
     N const y3 = y * y * y;
     N const force_unit = std::numbers::pi_v<Real> * pair.surface_energy * scale.effective_radius;
-    return {force_unit * (Real(4) / 3 * y3 - 4) * y3,
-            pair.radius_factor * scale.effective_radius * scale.inverse_cube_root * y * y, 3 * force_unit, MaskOf<N>(true)};
+    N const radius_unit = pair.radius_factor * scale.effective_radius * scale.inverse_cube_root; // a = radius_unit y^2
+    // The impedance's root does not wait for y.
+    return {force_unit * y3 * (Real(4) / 3 * y3 - 4), radius_unit * y * y, 3 * force_unit, MaskOf<N>(true),
+            y * square_root(2 * pair.effective_youngs_modulus * scale.effective_mass * radius_unit)};
 }
 
 /// An adhering contact follows the JKR curve until it snaps at the pair's break point. Full JKR forms one
 /// at every touch (the force jumps to -8/9 F_C), modified JKR never again: then Hertz.
 struct JkrNormal {
-    static constexpr bool adheres = true;
+    static constexpr bool adheres = true, radius_is_late = true;
 
     template <class N>
     KOKKOS_FORCEINLINE_FUNCTION NormalResponse<N> operator()(N const& overlap, ContactScale<N> const& scale,
@@ -76,6 +80,7 @@ struct JkrNormal {
         response.force = select(adhering, bond.force, response.force);
         response.contact_radius = select(adhering, bond.contact_radius, response.contact_radius);
         response.pull_off_force = select(adhering, bond.pull_off_force, response.pull_off_force);
+        response.impedance = select(adhering, bond.impedance, response.impedance);
         response.touches = response.touches || adhering;
         return response;
     }

@@ -164,7 +164,7 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N cut_to(N const& limit, N const&
 struct NoTangential {
     static constexpr bool has_history = false;
 
-    template <class N>
+    template <bool, class N>
     KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(Vector<N> const&, NormalResponse<N> const&, N const&,
                                                      PairConstants const&, Vector<N>&, N&, Real) const
     {
@@ -177,7 +177,8 @@ struct NoTangential {
 struct CoulombSpring {
     static constexpr bool has_history = true;
 
-    template <class N>
+    /// radius_is_late: the contact radius comes later than the slip, at the end of a long chain of operations.
+    template <bool radius_is_late, class N>
     KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(Vector<N> const& slip_velocity, NormalResponse<N> const& normal,
                                                      N const& normal_force, PairConstants const& pair, Vector<N>& spring,
                                                      N& previous_radius, Real dt) const
@@ -186,7 +187,10 @@ struct CoulombSpring {
         N const limit = friction_limit(pair, normal, normal_force);
         spring = stretch_factor(pair.tangential, previous_radius, normal.contact_radius) * spring + dt * slip_velocity;
         previous_radius = normal.contact_radius;
-        spring *= cut_to(limit, stiffness * stiffness * dot(spring, spring));
+        N const square = dot(spring, spring);
+        if constexpr (radius_is_late && NumberTraits<N>::lanes > 1) // then the root has not waited for it
+            spring *= smaller(limit * (1 / (stiffness * square_root(square))), N(1));
+        else spring *= cut_to(limit, stiffness * stiffness * square);
         Vector<N> const force = -stiffness * spring - (pair.tangential_damping_ratio * normal.dashpot) * slip_velocity;
         return cut_to(limit, dot(force, force)) * force;
     }
