@@ -2,6 +2,7 @@
 // JKR contacts: the curve, its works, and the life of an adhering contact.
 #include "apps/verify/checks.hpp"
 #include "apps/verify/coarse_checks.hpp"
+#include "apps/verify/grain_system.hpp"
 #include "apps/verify/jkr_reference.hpp"
 #include "apps/verify/sphere_on_plane.hpp"
 #include "core/random.hpp"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <numbers>
 
 namespace arenite {
 namespace {
@@ -211,6 +213,38 @@ std::vector<VerifyCase> check_bonded_release()
                                ratio > 1 ? 1e-3 : 0));
     }
     return rows;
+}
+
+std::vector<VerifyCase> check_bonded_oscillation()
+{
+    // At B, where y^3 = 3, the stiffness is 6/5 E* a and that of the dashpot 2 E* a: their ratio, and with it the damping
+    // ratio sqrt(5/6) beta sqrt(2 / (6/5)), is the same for all grains.
+    constexpr Real restitution = 0.8;
+    Real const reference = 5 * damping_ratio(restitution) / (3 * std::numbers::sqrt2_v<Real>);
+    MaterialSettings const material = with(sand(), restitution, 0);
+    SystemSettings settings;
+    settings.materials = {material};
+    settings.contact = contact_settings(NormalLaw::modified_jkr, DampingLaw::restitution);
+    settings.start_bonded = true;
+    settings.skin = sand_radius / 10;
+    JkrPoints const points = jkr_points_of(make_pair(material, material, settings.contact), sand_radius / 2);
+    Real const frequency = std::sqrt(points.stiffness_B / (sphere_mass(material, sand_radius) / 2)); // undamped, rad/s
+    constexpr int steps = 5000, periods = 2;
+    settings.dt = 2 * std::numbers::pi_v<Real> / frequency / steps;
+    Real const distance_B = 2 * sand_radius - points.overlap_B;
+    Real const speed = 1e-4 * std::fabs(points.overlap_C) * frequency; // small: the curve is straight
+    settings.grains = {make_grain(0, {distance_B / 2, 0, 0}, 2 * sand_radius, {speed / 2, 0, 0}),
+                       make_grain(1, {-distance_B / 2, 0, 0}, 2 * sand_radius, {-speed / 2, 0, 0})};
+    GrainSystem system = make_system(settings);
+    advance(system, periods * steps);
+
+    std::vector<Grain> const grains = grains_by_id(system);
+    Real const x = norm(grains[0].position - grains[1].position) - distance_B,
+               v = grains[0].velocity.x - grains[1].velocity.x;
+    // The amplitude, times the damped frequency, from where an oscillator is and how fast.
+    Real const amplitude = std::hypot(x * frequency * std::sqrt(1 - reference * reference), v + reference * frequency * x);
+    return {compare({"bond about B, e = 0.8", "damping ratio", "closed form: 5 / (3 sqrt 2) beta"},
+                    std::log(speed / amplitude) / (frequency * settings.dt * periods * steps), reference, 1e-3)};
 }
 
 std::vector<VerifyCase> check_coarse_grained_pair()

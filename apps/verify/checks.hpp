@@ -20,6 +20,7 @@ std::vector<VerifyCase> check_work_of_peeling();
 std::vector<VerifyCase> check_pull();
 std::vector<VerifyCase> check_sticking();
 std::vector<VerifyCase> check_bonded_release();
+std::vector<VerifyCase> check_bonded_oscillation();
 
 // friction
 std::vector<VerifyCase> check_friction_cycle();

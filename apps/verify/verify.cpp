@@ -41,7 +41,8 @@ std::vector<VerifyGroup> const& verify_groups()
     static std::vector<VerifyGroup> const groups{
         {"contact",
          {check_pair_constants, check_hertz_impacts, check_restitution, check_bouncing, check_exact_touch, check_jkr_points,
-          check_jkr_curve, check_work_of_peeling, check_pull, check_sticking, check_bonded_release}},
+          check_jkr_curve, check_work_of_peeling, check_pull, check_sticking, check_bonded_release,
+          check_bonded_oscillation}},
         {"friction",
          {check_friction_cycle, check_partial_slip, check_shear_paths, check_rigid_turns, check_incline,
           check_sliding_to_rolling, check_gear_spin, check_oblique_impacts, check_spinning_impacts}},
