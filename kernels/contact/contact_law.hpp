@@ -44,9 +44,8 @@ template <class Normal, class Tangential> struct ContactLaw {
     KOKKOS_FORCEINLINE_FUNCTION Vector<N> operator()(ContactGeometry<N> const& contact, PairConstants const& pair,
                                                      ContactState<N>& state, Real dt) const
     {
-        NormalResponse<N> response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
+        NormalResponse<N> const response = Normal{}(contact.overlap, contact.scale, pair, state.adhering);
         state.touching = response.touches;
-        response.dashpot = pair.damping_factor * response.impedance;
         // Paper eq 32, velocity outside the root.
         N normal_force = response.force - (pair.damping_factor * contact.motion.normal_velocity) * response.impedance;
         if (pair.clip_attraction)

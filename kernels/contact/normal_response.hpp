@@ -19,8 +19,7 @@ template <class N = Real> struct NormalResponse {
     N contact_radius = 0; // a, m
     N pull_off_force = 0; // F_C = 3 pi gamma R*, N, positive; 0 where the contact does not adhere
     MaskOf<N> touches = MaskOf<N>(false);
-    N impedance = 0; // N s/m, sqrt(S_n m*), S_n = 2 E* a
-    N dashpot = 0;   // N s/m, 2 sqrt(5/6) beta sqrt(S_n m*); set by the contact law
+    N impedance = 0; // N s/m, sqrt(S_n m*), S_n = 2 E* a; times 2 sqrt(5/6) beta the dashpot's
 };
 
 } // namespace arenite

@@ -191,7 +191,8 @@ struct CoulombSpring {
         if constexpr (radius_is_late && NumberTraits<N>::lanes > 1) // then the root has not waited for it
             spring *= smaller(limit * (1 / (stiffness * square_root(square))), N(1));
         else spring *= cut_to(limit, stiffness * stiffness * square);
-        Vector<N> const force = -stiffness * spring - (pair.tangential_damping_ratio * normal.dashpot) * slip_velocity;
+        N const dashpot = pair.tangential_damping_ratio * (pair.damping_factor * normal.impedance);
+        Vector<N> const force = -stiffness * spring - dashpot * slip_velocity;
         return cut_to(limit, dot(force, force)) * force;
     }
 };

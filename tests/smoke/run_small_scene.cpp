@@ -41,10 +41,15 @@ fs::path const& whole_run()
     return folder.path();
 }
 
+nlohmann::json summary_of(fs::path const& folder)
+{
+    std::ifstream file(folder / "summary.json");
+    return nlohmann::json::parse(file);
+}
+
 nlohmann::json stage_of(std::string const& name)
 {
-    std::ifstream file(whole_run() / "summary.json");
-    nlohmann::json const summary = nlohmann::json::parse(file);
+    nlohmann::json const summary = summary_of(whole_run());
     for (auto const& stage : summary["stages"])
         if (stage["name"] == name) return stage;
     return {};
@@ -82,12 +87,6 @@ template <class Type> void expect_same_array(CheckpointReader const& a, Checkpoi
     auto const l = Kokkos::create_mirror_view_and_copy(HostSpace(), left),
                r = Kokkos::create_mirror_view_and_copy(HostSpace(), right);
     EXPECT_EQ(std::memcmp(l.data(), r.data(), l.span() * sizeof(typename Type::value_type)), 0) << name << " differs";
-}
-
-nlohmann::json summary_of(fs::path const& folder)
-{
-    std::ifstream file(folder / "summary.json");
-    return nlohmann::json::parse(file);
 }
 
 void expect_same_production(fs::path const& resumed)
