@@ -98,11 +98,7 @@ std::vector<PairConstants> make_pair_constants(Scene const& scene, StageSettings
             MaterialSettings a = materials[i], b = materials[j];
             if (a.surface_energy != b.surface_energy) a.surface_energy = b.surface_energy = 0;
             ContactSettings law = contact;
-            auto const is_meant = [&](InteractionSettings const& named) {
-                bool const same = named.materials[0] == a.name && named.materials[1] == b.name;
-                bool const swapped = named.materials[1] == a.name && named.materials[0] == b.name;
-                return same || swapped;
-            };
+            auto const is_meant = [&](InteractionSettings const& named) { return named.is_between(a.name, b.name); };
             auto const apply = [&](InteractionSettings const& named) {
                 if (!is_meant(named)) return;
                 if (named.restitution) a.restitution = b.restitution = *named.restitution;

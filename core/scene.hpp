@@ -53,6 +53,11 @@ struct InteractionSettings {
     std::array<std::string, 2> materials;
     std::optional<Real> restitution, friction, surface_energy;
     std::optional<ContactSettings> contact; // instead of the stage's law
+
+    bool is_between(std::string const& a, std::string const& b) const
+    {
+        return (materials[0] == a && materials[1] == b) || (materials[0] == b && materials[1] == a);
+    }
     bool operator==(InteractionSettings const&) const = default;
 };
 
@@ -62,8 +67,7 @@ enum class CoarseGraining { none, ssw, ssp };
 
 struct CoarseGrainingSettings {
     CoarseGraining scheme = CoarseGraining::none;
-    Real factor = 1;   // k = grain diameter / original diameter
-    Real diameter = 0; // m, SSP: the one original size; 0: the mean-volume diameter of the distribution
+    Real factor = 1; // k = grain diameter / original diameter
     bool operator==(CoarseGrainingSettings const&) const = default;
 };
 
@@ -180,7 +184,6 @@ struct WallAction {
 enum class DragLaw { none, di_felice, di_felice_literal, gidaspow, beetstra, stokes, schiller_naumann, constant };
 enum class ConvectionScheme { none, central, limited, upwind };
 enum class VoidFractionMethod { kernel }; // conservative kernel deposit of a length of its own
-enum class ViscousForm { n_div_tau };     // n div(tau), tau = mu (grad u + grad u^T - 2/3 div u)
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 enum class PatchKind { wall, slip, velocity, pressure, periodic };
 enum class PatchShape { face, disc, rectangle };
@@ -250,7 +253,7 @@ struct EndSettings {
 enum class StageKind {
     dynamics,    // Newton's equations with the stage's laws: what everything else is shown against
     generation,  // put the grains into the region at random, without overlap
-    compression, // fast path: press with a soft, then the real stiffness, to a stress on a servo wall
+    compression, // fast path to a stress on a servo wall: densify, press, relax (docs/physics.md)
 };
 
 /// A deforming periodic box: per axis a strain rate or a target stress.

@@ -34,6 +34,23 @@ void check_fit_wall(Scene const& scene, FluidSettings const& f, Faults& faults)
         faults.add("fluid.fit_wall", "must be a plane whose normal is along x, y or z");
 }
 
+/// A patch beside its face would be none.
+void check_place(PatchSettings const& p, Region const& box, std::string const& path, Faults& faults)
+{
+    int const normal = static_cast<int>(p.face) / 2;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis == normal || p.shape == PatchShape::face) continue;
+        bool const disc = p.shape == PatchShape::disc;
+        Real const low = disc ? p.center[axis] - p.diameter / 2 : p.rectangle.lower[axis],
+                   high = disc ? p.center[axis] + p.diameter / 2 : p.rectangle.upper[axis];
+        if (low < box.upper[axis] && high > box.lower[axis]) continue;
+        return faults.add(path,
+                          fmt::format("lies beside its face: along {} it goes from {:g} to {:g} m, the fluid's box from "
+                                      "{:g} to {:g} m",
+                                      "xyz"[axis], low, high, box.lower[axis], box.upper[axis]));
+    }
+}
+
 void check_patch(PatchSettings const& p, std::string const& path, Faults& faults)
 {
     if (p.kind == PatchKind::periodic && p.shape != PatchShape::face)
@@ -75,14 +92,33 @@ void check_fluid(Scene const& scene, Faults& faults)
     if (!scene.fluid) return;
     FluidSettings const& f = *scene.fluid;
     check_steps(scene, f, faults);
-    constexpr Real most = 1e9; // a cell's number is an int, and so is that of its faces
-    Real const cells = Real(f.cells[0]) * f.cells[1] * f.cells[2];
-    if (cells > most)
+    // The number of a face is an int, and so is that of a node: a cell more on either side of each axis, and a face.
+    constexpr Real most = 2147483647.0 / 3;
+    Real const nodes = Real(f.cells[0] + 5) * (f.cells[1] + 5) * (f.cells[2] + 5);
+    if (nodes > most)
         faults.add("fluid.cells",
-                   fmt::format("are {:.3g} cells in all, more than the {:g} that a run can have", cells, most));
+                   fmt::format("are {:.3g} nodes with those of the boundary, more than the {:.3g} that a run can have",
+                               nodes, most));
     if (f.box) check_region(*f.box, "fluid.box", faults);
+    for (int axis = 0; f.box && axis < 3; ++axis)
+        if (scene.domain.periodic[static_cast<std::size_t>(axis)] &&
+            (f.box->lower[axis] != scene.domain.lower[axis] || f.box->upper[axis] != scene.domain.upper[axis]))
+            faults.add("fluid.box",
+                       fmt::format("must reach from face to face of the domain along {}, which is periodic", "xyz"[axis]));
+    bool const needs_reynolds = f.drag != DragLaw::none && f.drag != DragLaw::stokes && f.drag != DragLaw::constant;
+    if (scene.particles.source != ParticleSource::none && needs_reynolds && f.viscosity == 0 &&
+        !faults.any_faulty({"fluid.viscosity"}))
+        faults.add("fluid.viscosity",
+                   "is 0, and this drag law needs a Reynolds number: choose drag = \"none\" or a viscosity");
     check_fit_wall(scene, f, faults);
-    for (std::size_t i = 0; i < f.patches.size(); ++i) check_patch(f.patches[i], element("fluid.patches", i), faults);
+    Region const box = f.box.value_or(Region{scene.domain.lower, scene.domain.upper});
+    bool const box_is_sound = !faults.any_faulty({"fluid.box", "domain.lower", "domain.upper"});
+    for (std::size_t i = 0; i < f.patches.size(); ++i) {
+        std::string const path = element("fluid.patches", i);
+        check_patch(f.patches[i], path, faults);
+        if (box_is_sound && !faults.any_faulty({path + ".center", path + ".diameter", path + ".lower", path + ".upper"}))
+            check_place(f.patches[i], box, path, faults);
+    }
     check_periodic_faces(scene, f, faults);
 }
 

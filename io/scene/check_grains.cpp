@@ -3,6 +3,7 @@
 
 #include "core/coarse_graining.hpp"
 #include "core/error.hpp"
+#include "core/grain.hpp"
 #include "io/scene_reader.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -55,10 +55,10 @@ void check_amount(Scene const& scene, std::string const& path, Faults& faults)
     if (!(mean > 0) || !std::isfinite(mean * mean * mean) || !(mean * mean * mean > 0))
         return faults.add(path, "the grains' mean volume is not a number that can be computed with");
     if (d.count > 0) return;
-    Region const region = d.region.value_or(Region{scene.domain.lower, scene.domain.upper});
+    Region const region = generation_region(scene);
     Vec3 const size = region.upper - region.lower;
     Real const solid = d.solid_volume > 0 ? d.solid_volume : d.solid_fraction * size.x * size.y * size.z;
-    Real const grains = solid / (std::numbers::pi_v<Real> / 6 * mean * mean * mean);
+    Real const grains = solid / sphere_volume(mean / 2);
     constexpr Real most = std::numeric_limits<int>::max();
     if (!(grains <= most))
         faults.add(path, fmt::format("is {:.3g} grains, more than the {:.0f} that a run can have", grains, most));

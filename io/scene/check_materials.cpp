@@ -4,6 +4,8 @@
 // common value, or 0 where the two differ: unlike matter does not stick unless the scene says so.)
 #include "io/scene/check.hpp"
 
+#include "io/scene_reader.hpp"
+
 #include <fmt/format.h>
 
 #include <set>
@@ -67,13 +69,6 @@ void check_pairs(Scene const& scene, std::size_t stage_index, std::vector<int> c
     }
 }
 
-int row_of(Scene const& scene, std::string const& name)
-{
-    for (std::size_t i = 0; i < scene.materials.size(); ++i)
-        if (scene.materials[i].name == name) return static_cast<int>(i);
-    return -1;
-}
-
 } // namespace
 
 void check_materials(Scene const& scene, std::vector<int> const& grain_materials, Faults& faults)
@@ -90,7 +85,7 @@ void check_materials(Scene const& scene, std::vector<int> const& grain_materials
     check_interactions(scene, scene.interactions, "interactions", faults);
     std::set<int> walls;
     for (WallSettings const& wall : scene.walls)
-        if (int const row = row_of(scene, wall.material); row >= 0) walls.insert(row);
+        if (int const row = material_row(scene, wall.material); row >= 0) walls.insert(row);
     for (std::size_t i = 0; i < scene.stages.size(); ++i) {
         StageSettings const& stage = scene.stages[i];
         std::string const path = element("stages", i, stage.name);
@@ -98,7 +93,7 @@ void check_materials(Scene const& scene, std::vector<int> const& grain_materials
         for (auto const& [name, material] : stage.materials) {
             if (!check_name(name, names_of(scene.materials), "material", path + ".materials." + name, faults)) continue;
             // Where the scene's material lacks it, that is said already.
-            bool const was_rigid = scene.materials[static_cast<std::size_t>(row_of(scene, name))].rigid;
+            bool const was_rigid = scene.materials[static_cast<std::size_t>(material_row(scene, name))].rigid;
             if (was_rigid && !material.rigid && !(material.youngs_modulus > 0))
                 faults.add(path + ".materials." + name, "needs youngs_modulus and poissons_ratio if it is not rigid");
         }

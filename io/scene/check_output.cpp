@@ -10,6 +10,13 @@ void check_output(Scene const& scene, Faults& faults)
         std::string const path = element("output.probes", i, probe.name);
         if (probe.grain.has_value() == probe.point.has_value()) faults.add(path, "needs exactly one of grain and point");
         if (probe.point && !scene.fluid) faults.add(path + ".point", "there is no table [fluid]");
+        if (!probe.point || !scene.fluid) continue;
+        Region const box = scene.fluid->box.value_or(Region{scene.domain.lower, scene.domain.upper});
+        for (int axis = 0; axis < 3; ++axis)
+            if ((*probe.point)[axis] < box.lower[axis] || (*probe.point)[axis] > box.upper[axis]) {
+                faults.add(path + ".point", "lies outside the fluid's box");
+                break;
+            }
     }
     StreamlineSettings const& s = scene.output.streamlines;
     std::string const path = "output.streamlines";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/scene/check.hpp"
 
+#include "io/scene_reader.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -93,6 +95,7 @@ void check_box(Scene const& scene, StageSettings const& s, std::string const& pa
     if (s.kind == StageKind::compression) // its parts choose a carrier
         faults.add(path, "a stage of kind compression strains with its servo's wall: give a box to one of kind dynamics");
     else if (!s.carrier.empty()) faults.add(path, "stands beside carrier: grains ride on one strain, give one of them");
+    if (s.fluid) faults.add(path, "stands beside fluid = true: the fluid's cells do not strain with it");
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::string const where = path + "." + "xyz"[axis];
         bool const rate = b.strain_rate[axis].has_value(), stress = b.stress[axis].has_value();
@@ -126,6 +129,10 @@ void check_time(Scene const& scene, StageSettings const& s, std::string const& p
 void check_kind(Scene const& scene, std::size_t index, std::string const& path, Faults& faults)
 {
     StageSettings const& s = scene.stages[index];
+    for (auto const& [name, material] : s.materials)
+        if (int const row = material_row(scene, name);
+            row >= 0 && material.density != scene.materials[static_cast<std::size_t>(row)].density)
+            faults.add(path + ".materials." + name + ".density", "grains keep the mass that they were made with");
     if (s.kind == StageKind::generation && scene.particles.source != ParticleSource::distribution)
         faults.add(path + ".kind", "generation needs grains from a distribution");
     if (s.kind == StageKind::generation && index > 0) faults.add(path + ".kind", "generation must be the first stage");
@@ -133,12 +140,16 @@ void check_kind(Scene const& scene, std::size_t index, std::string const& path, 
         std::any_of(s.walls.begin(), s.walls.end(), [](WallAction const& a) { return a.servo.has_value(); });
     if (s.kind == StageKind::compression && !pressed)
         faults.add(path + ".kind", "compression needs a wall with [stages.walls.servo]");
+    if (s.kind == StageKind::compression && scene.particles.source == ParticleSource::none)
+        faults.add(path + ".kind", "compression needs grains: there is no table [particles]");
     if (s.target_porosity > 0 && !pressed) faults.add(path + ".target_porosity", "needs a wall with [stages.walls.servo]");
     if (!s.carrier.empty() && check_name(s.carrier, names_of(scene.walls), "wall", path + ".carrier", faults) &&
         find_wall(scene, s.carrier)->shape != WallShape::plane)
         faults.add(path + ".carrier", "must be a plane");
     if (s.fluid && s.kind != StageKind::dynamics) faults.add(path + ".fluid", "only a stage of kind dynamics has fluid");
     if (s.fluid && !scene.fluid) faults.add(path + ".fluid", "there is no table [fluid]");
+    if (s.fluid && !s.carrier.empty())
+        faults.add(path + ".fluid", "stands beside carrier: the fluid does not feel the strain that grains ride on");
 }
 
 } // namespace

@@ -18,6 +18,19 @@ void check_wall(Scene const& scene, WallSettings const& w, std::string const& pa
         check_name(w.material, names_of(scene.materials), "material", path + ".material", faults);
     if (w.shape == WallShape::plane && faults.given(path + ".normal") && !(norm(w.normal) > 0))
         faults.add(path + ".normal", "must not be [0, 0, 0]");
+    for (std::size_t h = 0; w.shape == WallShape::plane && h < w.holes.size(); ++h) {
+        if (!(norm(w.normal) > 0)) break;
+        Vec3 const normal = normalized(w.normal),
+                   center = w.holes[h].center + dot(w.point - w.holes[h].center, normal) * normal;
+        Vec3 beyond;
+        for (int axis = 0; axis < 3; ++axis)
+            beyond[axis] =
+                std::max({Real(0), scene.domain.lower[axis] - center[axis], center[axis] - scene.domain.upper[axis]});
+        std::string const hole = element(path + ".holes", h, w.holes[h].name);
+        if (norm(beyond) > w.holes[h].diameter / 2 &&
+            !faults.any_faulty({"domain.lower", "domain.upper", hole + ".center", hole + ".diameter"}))
+            faults.add(hole, "lies outside the domain");
+    }
     if (w.shape == WallShape::cylinder && faults.given(path + ".axis") && !(norm(w.axis) > 0))
         faults.add(path + ".axis", "must not be [0, 0, 0]");
     if (w.shape == WallShape::box && faults.given(path + ".lower") && faults.given(path + ".upper"))

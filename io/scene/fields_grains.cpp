@@ -27,7 +27,8 @@ Fields distribution_fields(DistributionSettings& d)
         {"count", &d.count, "", "how many grains, after coarse graining; or", not_negative()},
         {"solid_volume", &d.solid_volume, "m3", "volume of all grains; or", not_negative()},
         {"solid_fraction", &d.solid_fraction, "", "volume of all grains over that of the region", between(0, 0.74)},
-        standing_for("the domain", {"region", optional_table_of(d.region, region_fields), "", "where they are put"}),
+        standing_for("the domain", {"region", optional_table_of(d.region, region_fields), "",
+                                    "where they are put, in front of all walls that are there (meshes are not looked at)"}),
     };
 }
 
@@ -48,9 +49,12 @@ Fields particles_fields(ParticlesSettings& p)
     auto const read = [&p] { return p.source == ParticleSource::file || p.source == ParticleSource::checkpoint; };
     return {
         {"source", choice(p.source, {"none", "distribution", "file", "checkpoint"}), "",
-         "a size distribution, a CSV of grains, or the checkpoint of another run"},
+         "a size distribution, a CSV of grains, or the checkpoint of another run (where its grains are, how they move and "
+         "what they "
+         "are of, by name; contacts and bonds begin anew)"},
         only_when(any, "a source",
-                  {"material", &p.material, "", "name of the grains' material; a CSV may have a column instead"}),
+                  {"material", &p.material, "",
+                   "name of the grains' material; a CSV may have a column instead, a checkpoint has its own"}),
         required(only_when(drawn, "source = \"distribution\"",
                            {"distribution", table_of(p.distribution, distribution_fields), "", "sizes and amount"})),
         required(only_when(read, "source = \"file\" or \"checkpoint\"",

@@ -41,7 +41,8 @@ Fields end_fields(EndSettings& e)
     auto const stress = [&e] { return !e.stress_wall.empty(); };
     auto const position = [&e] { return !e.position_wall.empty(); };
     return {
-        {"kinetic_energy_ratio", &e.kinetic_energy_ratio, "", "kinetic over elastic contact energy is below", positive()},
+        {"kinetic_energy_ratio", &e.kinetic_energy_ratio, "",
+         "kinetic over elastic contact energy, of grains and walls, is below", positive()},
         {"kinetic_energy", &e.kinetic_energy, "J", "kinetic energy is below", positive()},
         {"stress_wall", &e.stress_wall, "", "wall whose stress is looked at"},
         required(only_when(stress, "stress_wall", {"stress", &e.stress, "Pa", "is reached on that wall", positive()})),
@@ -135,15 +136,20 @@ Fields stage_fields(StageSettings& s, std::vector<MaterialSettings> const& mater
         {"time_step", &s.time_step, "s", "of the grains; or", not_negative()},
         {"time_step_fraction", &s.time_step_fraction, "", "of the critical step", between(0, 1)},
         standing_for("the domain's", {"gravity", &s.gravity, "m/s2", "during this stage"}),
-        {"fluid", &s.fluid, "", "the fluid flows during this stage"},
-        {"outlet_wall", &s.outlet_wall, "", "plane wall; grains that are through an open hole of it are produced and leave"},
+        {"fluid", &s.fluid, "",
+         "the fluid flows during this stage: on from the stage before, from its initial state after one without; not beside "
+         "a box that strains"},
+        {"outlet_wall", &s.outlet_wall, "",
+         "plane wall; grains that are wholly through an open hole of it, or in it and outside the domain, are produced and "
+         "leave"},
         {"local_damping", &s.local_damping, "",
          "share of the unbalanced force that opposes motion (quasi-static stages only)", between(0, 1)},
-        standing_for("true if the stage before ran under another law",
-                     {"form_bonds", &s.form_bonds, "", "with law = \"modified_jkr\": what touches at the start is bonded"}),
+        standing_for("true for pairs that did not adhere under modified_jkr in the stage before",
+                     {"form_bonds", &s.form_bonds, "",
+                      "with law = \"modified_jkr\", of grains, walls or a pair: what touches at the start is bonded"}),
         {"carrier", &s.carrier, "",
          "plane wall; grains ride on the homogeneous strain that its motion means for the domain (fast, even "
-         "compression); not beside a box that strains"},
+         "compression); not beside a box that strains, nor fluid"},
         standing_for("friction stays",
                      {"target_porosity", &s.target_porosity, "",
                       "with a servo: friction falls until the porosity under its stress is this", between(0, 1)}),

@@ -26,7 +26,6 @@ struct Range {
     std::string text() const; // "> 0", "in (-1, 0.5)", "at least 1"
 };
 
-inline Range any_value() { return {}; }
 inline Range positive() { return {0, std::numeric_limits<Real>::infinity(), true, false}; }
 inline Range not_negative() { return {0, std::numeric_limits<Real>::infinity(), false, false}; }
 inline Range at_least(Real lower) { return {lower, std::numeric_limits<Real>::infinity(), false, false}; }

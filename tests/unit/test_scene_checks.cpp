@@ -86,7 +86,7 @@ TEST(SceneChecks, NamesThatNoFileCanHave)
 
 TEST(SceneChecks, AmountsThatNoComputerHolds)
 {
-    expect_fault({"fluid.cells=[100000, 100000, 1]"}, "are 1e+10 cells in all, more than the 1e+09");
+    expect_fault({"fluid.cells=[100000, 100000, 1]"}, "are 6e+10 nodes with those of the boundary, more than the 7.16e+08");
     expect_fault({"particles.distribution.count=3e9"}, "is too large");
     expect_fault({"particles.distribution.count=0", "particles.distribution.solid_volume=1e9"},
                  "more than the 2147483647 that a run can have");
@@ -211,8 +211,17 @@ TEST(SceneChecks, PeriodicBox)
     expect_fault({"stages.press.box.x.strain_rate=-0.1", "stages.press.carrier=top"}, "stands beside carrier");
     expect_fault({"stages.press.box.x.strain_rate=-0.1", "stages.press.kind=compression"},
                  "a stage of kind compression strains with its servo's wall");
+    expect_fault({"stages.press.box.x.strain_rate=-0.1", "stages.press.fluid=true"}, "stands beside fluid = true");
+    expect_fault({"stages.press.carrier=top", "stages.press.fluid=true"}, "stands beside carrier");
     expect_fault({"stages.press.box.x.stress=1e6"}, "missing key max_strain_rate [1/s]");
     expect_fault({"stages.press.box.x={stress=1e6, strain_rate=1}"}, "needs one of strain_rate and stress, not both");
+}
+
+TEST(SceneChecks, WhatWouldDoNothing)
+{
+    expect_fault({"stages.press.materials.sand.density=1000"}, "grains keep the mass that they were made with");
+    expect_fault({"output.probes.middle.point=[1, 1, 1]"}, "lies outside the fluid's box");
+    expect_fault({"fluid.viscosity=0", "fluid.drag=di_felice"}, "this drag law needs a Reynolds number");
 }
 
 TEST(SceneChecks, Output)
