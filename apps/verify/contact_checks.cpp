@@ -116,6 +116,26 @@ Real rebound_speed(Real restitution, DampingLaw damping, int steps_per_contact)
     return sphere.velocity.z / speed;
 }
 
+/// Of a grain against an equal one that no force moves.
+Real rebound_speed_from_held(Real restitution, Motion motion, int steps_per_contact)
+{
+    MaterialSettings const material = with(make_material(4000, 3.8e11, 0.23), restitution, 0);
+    Real const radius = 2.5e-3, speed = 3.9;
+    SystemSettings settings;
+    settings.materials = {material};
+    settings.contact = contact_settings(NormalLaw::hertz, DampingLaw::restitution);
+    settings.skin = radius / 10;
+    settings.grains = {make_grain(0, {0, 0, 0}, 2 * radius), make_grain(1, {0, 0, 2 * radius}, 2 * radius, {0, 0, -speed})};
+    settings.grains[0].motion = motion;
+    ContactScale<> scale = contact_scale(material, radius, radius);
+    scale.effective_mass = sphere_mass(material, radius);
+    PairConstants const pair = make_pair(material, material, settings.contact);
+    settings.dt = hertz_impact(scale, pair.effective_youngs_modulus, speed).duration / steps_per_contact;
+    GrainSystem system = make_system(settings);
+    advance(system, 5 * steps_per_contact);
+    return grains_by_id(system)[1].velocity.z / speed;
+}
+
 } // namespace
 
 std::vector<VerifyCase> check_restitution()
@@ -126,6 +146,10 @@ std::vector<VerifyCase> check_restitution()
     for (Real const e : {0.2, 0.4, 0.6, 0.8, 0.9})
         rows.push_back(compare({fmt::format("e = {}", e), "rebound speed / speed", "Tsuji 1992 with the attractive tail: e"},
                                rebound_speed(e, DampingLaw::restitution, steps), e, limit));
+    for (Motion const motion : {Motion::held, Motion::prescribed})
+        rows.push_back(compare({motion == Motion::held ? "e = 0.5 from a held grain" : "e = 0.5 from a moved grain",
+                                "rebound speed / speed", "closed form: e, as from a wall"},
+                               rebound_speed_from_held(0.5, motion, steps), 0.5, limit));
     Real const clipped[][2] = {
         {0.2, 0.324862848}, {0.4, 0.47201398}, {0.6, 0.632290516}, {0.8, 0.808099335}, {0.9, 0.902026069}};
     for (auto const& [e, out] : clipped)
