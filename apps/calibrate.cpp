@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace arenite {
 namespace {
@@ -23,14 +22,14 @@ std::vector<Grain> lattice_of(Scene const& scene)
 {
     constexpr Real solid_fraction = 0.9, jitter = 0.3; // of the spacing, from end to end
     DistributionSettings const& distribution = scene.particles.distribution;
-    Region const region = distribution.region.value_or(Region{scene.domain.lower, scene.domain.upper});
+    Region const region = generation_region(scene);
     Vec3 const size = region.upper - region.lower;
     auto const classes = make_size_classes(distribution, scene.coarse_graining, size.x * size.y * size.z);
     long long count = 0;
     Real volume = 0;
     for (SizeClass const& c : classes) {
         count += c.count;
-        volume += static_cast<Real>(c.count) * std::numbers::pi_v<Real> / 6 * c.diameter * c.diameter * c.diameter;
+        volume += static_cast<Real>(c.count) * sphere_volume(c.diameter / 2);
     }
     Real const spacing = std::cbrt(volume / (static_cast<Real>(std::max(1ll, count)) * solid_fraction));
     auto const fit = [&](Real length) { return std::max(1ll, static_cast<long long>(length / spacing)); };

@@ -3,7 +3,9 @@
 
 #include "apps/calibrate.hpp"
 #include "apps/expected_steps.hpp"
+#include "apps/given_grains.hpp"
 #include "apps/make_state.hpp"
+#include "apps/run_checkpoint.hpp"
 #include "core/error.hpp"
 #include "io/progress.hpp"
 #include "io/scene_reader.hpp"
@@ -12,6 +14,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -20,15 +23,34 @@ namespace {
 
 void print(std::string const& line) { std::fputs((line + "\n").c_str(), stdout); }
 
-/// given: grains that the scene names one by one. Returns how many there will be.
-long long print_classes(Scene const& scene, long long given)
+/// Of grains that the scene names one by one.
+void print_given(std::vector<Grain> const& given)
 {
-    if (scene.particles.source != ParticleSource::distribution) {
-        print(fmt::format("grains: {}", given));
-        return given;
+    struct Sizes {
+        Real least = std::numeric_limits<Real>::infinity(), largest = 0;
+        long long count = 0;
+    };
+    std::map<int, Sizes> classes;
+    for (Grain const& grain : given) {
+        Sizes& sizes = classes[grain.size_class];
+        sizes.least = std::min(sizes.least, grain.diameter);
+        sizes.largest = std::max(sizes.largest, grain.diameter);
+        ++sizes.count;
     }
+    print(fmt::format("grains: {} in {} classes", given.size(), classes.size()));
+    print("  class  smallest diameter (m)  largest diameter (m)  grains");
+    for (auto const& [number, sizes] : classes)
+        print(fmt::format("  {:5}  {:21.6g}  {:20.6g}  {:6}", number, sizes.least, sizes.largest, sizes.count));
+}
+
+/// given: grains that the scene names one by one. Returns how many there will be.
+long long print_classes(Scene const& scene, std::vector<Grain> const& given)
+{
+    if (scene.particles.source == ParticleSource::none) print("grains: none");
+    else if (scene.particles.source != ParticleSource::distribution) print_given(given);
+    if (scene.particles.source != ParticleSource::distribution) return static_cast<long long>(given.size());
     DistributionSettings const& distribution = scene.particles.distribution;
-    Region const region = distribution.region.value_or(Region{scene.domain.lower, scene.domain.upper});
+    Region const region = generation_region(scene);
     Vec3 const size = region.upper - region.lower;
     auto const classes = make_size_classes(distribution, scene.coarse_graining, size.x * size.y * size.z);
     long long total = 0;
@@ -46,10 +68,11 @@ void print_time_steps(Scene const& scene, StagePlan const& plan)
 {
     if (scene.particles.source == ParticleSource::none || plan.empty()) return;
     TimeStepLimits const& limits = plan.front().limits;
-    print(fmt::format(
-        "critical time steps, smallest grain {:.4g} m: Rayleigh {:.4g} s, lattice limit at {:.3g} Pa {:.4g} s, contact "
-        "period {:.4g} s",
-        limits.smallest_diameter, limits.rayleigh, limits.pressure, limits.lattice, limits.contact_period));
+    print(fmt::format("critical time steps, smallest grain {:.4g} m: Rayleigh {:.4g} s{}", limits.smallest_diameter,
+                      limits.rayleigh,
+                      limits.lattice > 0 ? fmt::format(", lattice limit at {:.3g} Pa {:.4g} s, contact period {:.4g} s",
+                                                       limits.pressure, limits.lattice, limits.contact_period)
+                                         : ""));
     if (scene.particles.source != ParticleSource::distribution) return;
     Real const mean = std::round(mean_volume_diameter(scene.particles.distribution) * 1e5) / 1e5; // the paper's two digits
     int const row = std::max(0, material_row(scene, scene.particles.material));
@@ -59,7 +82,7 @@ void print_time_steps(Scene const& scene, StagePlan const& plan)
                       scene.coarse_graining.factor));
 }
 
-void print_fluid(Scene const& scene)
+void print_fluid(Scene const& scene, std::vector<Grain> const& given)
 {
     if (!scene.fluid) return print("fluid: none");
     FluidSettings const& fluid = *scene.fluid;
@@ -69,15 +92,24 @@ void print_fluid(Scene const& scene)
                       fluid.cells[2], size.x / fluid.cells[0], size.y / fluid.cells[1], size.z / fluid.cells[2],
                       fluid.fit_wall.empty() ? ""
                                              : " (the box ends at wall \"" + fluid.fit_wall + "\" when the stage begins)"));
-    if (scene.particles.source != ParticleSource::distribution) return;
+    if (scene.particles.source == ParticleSource::none) return;
     DistributionSettings const& d = scene.particles.distribution;
     Real const k = scene.coarse_graining.factor,
                cell = std::min({size.x / fluid.cells[0], size.y / fluid.cells[1], size.z / fluid.cells[2]});
-    Real const largest = k * d.diameters.back();
+    Real largest = 0, mean = 0; // m; mean: of the volumes
+    for (Grain const& grain : given) {
+        largest = std::max(largest, grain.diameter);
+        mean += grain.diameter * grain.diameter * grain.diameter / static_cast<Real>(given.size());
+    }
+    mean = std::cbrt(mean);
+    if (scene.particles.source == ParticleSource::distribution) {
+        largest = k * d.diameters.back();
+        mean = k * mean_volume_diameter(d);
+    }
+    if (!(largest > 0)) return;
     print(fmt::format("  cell / diameter: {:.2f} of the mean-volume grain, {:.2f} of the largest; smoothing length {:.4g} m "
                       "is {:.2f} of the largest",
-                      cell / (k * mean_volume_diameter(d)), cell / largest, fluid.smoothing_length,
-                      fluid.smoothing_length / largest));
+                      cell / mean, cell / largest, fluid.smoothing_length, fluid.smoothing_length / largest));
 }
 
 /// What the stages cost here; those that run the same kernels are measured once.
@@ -87,8 +119,10 @@ public:
 
     StageCost const& of(PlannedStage const& stage)
     {
-        auto const key =
-            std::make_tuple(stage.settings.contact.normal, stage.settings.fluid, stage.settings.local_damping > 0);
+        StageSettings const& s = stage.settings;
+        bool const moving = std::any_of(s.walls.begin(), s.walls.end(),
+                                        [](WallAction const& a) { return a.velocity || a.angular_velocity || a.servo; });
+        Key const key{s.contact.normal, s.wall_contact.normal, s.contact.tangential, s.fluid, s.local_damping > 0, moving};
         auto const found = known_.find(key);
         return found != known_.end() ? found->second : known_.emplace(key, measure_stage(scene_, stage)).first->second;
     }
@@ -101,9 +135,32 @@ public:
     }
 
 private:
+    /// What the kernels depend on. A strain of box or carrier costs too little to be seen.
+    using Key = std::tuple<NormalLaw, NormalLaw, TangentialLaw, bool, bool, bool>;
+
     Scene const& scene_;
-    std::map<std::tuple<NormalLaw, bool, bool>, StageCost> known_;
+    std::map<Key, StageCost> known_;
 };
+
+/// Bytes that a grain takes in particles files, compressed: 22 for a vector, 2 for a number (demo's sample; 92 for all
+/// fields).
+double grain_bytes(std::vector<std::string> const& fields)
+{
+    double bytes = 24; // the position
+    for (std::string const& field : fields) {
+        bool const vector =
+            field == "velocity" || field == "spin" || field == "force" || field == "torque" || field == "fluid_force";
+        bytes += vector ? 22 : 2;
+    }
+    return bytes;
+}
+
+double cell_bytes(std::vector<std::string> const& fields)
+{
+    double bytes = 0;
+    for (std::string const& field : fields) bytes += field == "velocity" ? 22 : 7;
+    return bytes;
+}
 
 std::string time_text(double seconds) { return seconds < 60 ? fmt::format("{:.1f} s", seconds) : duration_text(seconds); }
 
@@ -124,8 +181,9 @@ void print_stages(Scene const& scene, StagePlan const& plan, long long grains)
 {
     Costs costs(scene);
     print("stages:");
-    double total = 0, fields = 0;
+    double total = 0, fields = 0, checkpoints = 0; // bytes of the two
     bool is_bound = false;
+    double const cells = scene.fluid ? Real(scene.fluid->cells[0]) * scene.fluid->cells[1] * scene.fluid->cells[2] : 0;
     for (PlannedStage const& stage : plan) {
         if (stage.settings.kind == StageKind::generation) {
             print(fmt::format("  {}: grains are placed at random", stage.label));
@@ -139,13 +197,20 @@ void print_stages(Scene const& scene, StagePlan const& plan, long long grains)
         total += seconds;
         is_bound = is_bound || steps.is_bound;
         Real const interval = stage.settings.field_interval.value_or(scene.output.field_interval);
-        fields += interval > 0 ? steps.count * stage.dt / interval + 1 : 2;
+        double const times = interval > 0 ? steps.count * stage.dt / interval + 1 : 2;
+        double const wet = stage.settings.fluid ? cells : 0;
+        fields += times * (static_cast<double>(grains) * grain_bytes(scene.output.grain_fields) +
+                           wet * cell_bytes(scene.output.fluid_fields));
+        checkpoints += checkpoint_bytes(static_cast<double>(grains), wet);
         print(describe(stage, steps, seconds, grain_seconds, grains));
     }
     print(fmt::format("expected wall time: {}{} without output, as fast as the machine is now", is_bound ? "at most " : "",
                       time_text(total)));
     print(fmt::format("memory: {:.1f} MB", 1e-6 * costs.memory()));
-    print(fmt::format("output: about {:.1f} MB of fields", 1e-6 * fields * static_cast<double>(grains) * 90));
+    if (can_write_checkpoints()) // beside one at each stage's end two stay
+        checkpoints += 2 * checkpoint_bytes(static_cast<double>(grains), cells);
+    print(fmt::format("output: about {:.1f} MB of fields and {:.1f} MB of checkpoints", 1e-6 * fields,
+                      can_write_checkpoints() ? 1e-6 * checkpoints : 0));
 }
 
 } // namespace
@@ -154,12 +219,13 @@ int check_scene(std::string const& path, std::vector<std::string> const& overrid
 {
     Scene const scene = read_scene(path, overrides);
     StagePlan const plan = make_stage_plan(scene);
-    long long const given = make_run_state(scene).particles.count; // walls and files are tried too
+    make_run_state(scene); // walls and files are tried too
+    std::vector<Grain> const given = has_given_grains(scene) ? given_grains(scene) : std::vector<Grain>();
     print(scene.resolved);
     print("# ---- what would run");
     long long const grains = print_classes(scene, given);
     print_time_steps(scene, plan);
-    print_fluid(scene);
+    print_fluid(scene, given);
     print_stages(scene, plan, grains);
     return 0;
 }

@@ -93,7 +93,7 @@ struct NewVelocities {
 void tally_powers(StageSetup const& setup, RunState& state, Purpose purpose)
 {
     EnergyAccount& account = *state.energy;
-    Vec3 const origin = setup.step.box_lower;
+    Vec3 const origin = setup.step.strain_origin;
     setup.forces.sum_pair_power(account.terms.data() + of_pairs, account.pair_adhered);
     setup.forces.sum_wall_power(account.terms.data() + of_walls, account.wall_adhered, origin);
     sum_grain_power(account.terms.data() + of_grains, state.particles, setup.step.gravity, state.box, origin, state.sums);

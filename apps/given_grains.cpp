@@ -24,10 +24,16 @@ std::vector<Grain> grains_of_checkpoint(Scene const& scene)
     old.count = static_cast<int>(old.id.extent(0));
     old.motion = View1<Motion>("motion", old.count);
     std::vector<Grain> grains = download(old);
-    for (Grain const& grain : grains)
-        if (grain.material >= static_cast<int>(scene.materials.size()))
-            throw InputError(fmt::format("{}: grain {} is of material number {}, the scene {} has {}", path, grain.id,
-                                         grain.material, scene.path, scene.materials.size()));
+    std::vector<std::string> names; // of the scene that wrote it, whose order may be another
+    for (int row = 0; row < file.value<int>("materials/count"); ++row)
+        names.push_back(file.text(fmt::format("materials/{}", row)));
+    for (Grain& grain : grains) {
+        std::string const& name = names.at(static_cast<std::size_t>(grain.material));
+        grain.material = material_row(scene, name);
+        if (grain.material < 0)
+            throw InputError(fmt::format("{}: grain {} is of material {}, which the scene {} does not have", path, grain.id,
+                                         name, scene.path));
+    }
     return grains;
 }
 

@@ -110,6 +110,10 @@ int main(int argc, char** argv)
             setenv("KOKKOS_NUM_THREADS", "1", 0);
         if (!asks_for_report(argc, argv))
             Kokkos::initialize(argc, argv); // takes its own options (--kokkos-num-threads) away
+        auto const named = [&](CLI::App const* command_of) { return command_of->get_name() == argv[1]; };
+        if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
+            throw InputError(
+                fmt::format("arenite: there is no command '{}': run, check, verify, bench, report, info", argv[1]));
         app.parse(argc, argv);
         if (command.kernel_times) start_kernel_times();
         int const code = dispatch(app, command);

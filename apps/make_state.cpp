@@ -3,10 +3,14 @@
 
 #include "apps/given_grains.hpp"
 #include "apps/sample.hpp"
+#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/build_info.hpp"
 #include "io/scene_reader.hpp"
 #include "io/stl.hpp"
 #include "kernels/packing.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -34,6 +38,11 @@ Walls walls_of(Scene const& scene)
 Region fluid_box(Scene const& scene, RunState const& state)
 {
     Region box = scene.fluid->box.value_or(Region{scene.domain.lower, scene.domain.upper});
+    for (int axis = 0; axis < 3; ++axis)
+        if (state.box.periodic[axis]) { // the grains' box may have been strained
+            box.lower[axis] = state.box.lower[axis];
+            box.upper[axis] = state.box.upper[axis];
+        }
     if (scene.fluid->fit_wall.empty()) return box;
     int const wall = state.walls.find(scene.fluid->fit_wall);
     Vec3 const normal = axis_of(state.walls, wall);
@@ -77,10 +86,24 @@ RunState make_run_state(Scene const& scene)
 void generate_particles(Scene const& scene, RunState& state)
 {
     DistributionSettings const& distribution = scene.particles.distribution;
-    Region const region = distribution.region.value_or(Region{scene.domain.lower, scene.domain.upper});
+    Region const region = generation_region(scene);
     auto const classes = make_size_classes(distribution, scene.coarse_graining, volume_of(region));
     int const material = material_row(scene, scene.particles.material);
-    set_particles(scene, pack_at_random(classes, region, material, scene.random_seed), state);
+    set_particles(scene,
+                  pack_at_random(classes, region, material, scene.random_seed,
+                                 [&](Vec3 const& x, Real radius) { return stands_clear(state.walls, x, radius); }),
+                  state);
+}
+
+/// A kernel that is out of memory is killed without a word.
+void require_memory_for(FluidSettings const& settings)
+{
+    constexpr double least_bytes_a_cell = 400; // some fifty numbers
+    double const needed = least_bytes_a_cell * settings.cells[0] * settings.cells[1] * settings.cells[2],
+                 there = static_cast<double>(hardware().memory);
+    if (on_host && there > 0 && needed > there)
+        throw InputError(fmt::format("fluid.cells: {} x {} x {} cells need at least {:.3g} GB, this machine has {:.3g} GB",
+                                     settings.cells[0], settings.cells[1], settings.cells[2], 1e-9 * needed, 1e-9 * there));
 }
 
 void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state, std::optional<KnownFluid> const& known)
@@ -90,10 +113,14 @@ void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& st
         state.particles.fluid_force = state.particles.coasting = state.particles.pressure_force = RecordView();
         return;
     }
-    if (state.fluid) return; // it goes on from the stage before
     FluidSettings const& settings = *scene.fluid;
-    bool const with_grains = known ? known->with_grains : state.particles.count > 0;
     Vec3 const gravity = planned.settings.gravity.value_or(scene.domain.gravity);
+    if (state.fluid) { // it goes on from the stage before
+        state.fluid->flow.body_force = body_force(settings, gravity);
+        return;
+    }
+    bool const with_grains = known ? known->with_grains : state.particles.count > 0;
+    require_memory_for(settings);
     state.fluid = std::make_unique<FluidState>();
     FluidState& fluid = *state.fluid;
     fluid.box = known ? known->box : fluid_box(scene, state);

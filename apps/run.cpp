@@ -30,6 +30,7 @@ Until parse_until(std::string const& text, Scene const& scene)
     Real time = 0;
     auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
     if (error == std::errc() && end == text.data() + text.size()) {
+        if (!(time >= 0)) throw InputError(fmt::format("--until {}: a time must not be negative", text));
         until.time = time;
         return until;
     }
@@ -76,20 +77,23 @@ ResumePoint resume_point(RunState const& state, StagePlan const& plan)
     return {state.clock.step, state.clock.time(), begins ? plan[state.clock.stage].label : ""};
 }
 
-void say_how_it_ended(RunOutput& output, SimulationError const& error)
+/// As a shell takes it for one word.
+std::string shell_word(std::string const& text)
 {
-    try {
-        output.finish(error.what());
-    } catch (OutputError const&) { // a disk that is full for the results is full for the summary too
-    }
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,+:@%";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+    std::string word = "'";
+    for (char const c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
 }
 
 int stopped_by_signal(RunOptions const& options, fs::path const& folder, RunState const& state, RunOutput& output)
 {
     std::string const name = stop_signal() == SIGINT ? "SIGINT" : "SIGTERM";
     output.finish("stopped by " + name);
-    std::string command = fmt::format("arenite run {} -o {}", options.scene, folder.string());
-    for (std::string const& change : options.overrides) command += fmt::format(" --set '{}'", change);
+    std::string command = fmt::format("arenite run {} -o {}", shell_word(options.scene), shell_word(folder.string()));
+    for (std::string const& change : options.overrides) command += " --set " + shell_word(change);
+    if (!options.until.empty()) command += " --until " + shell_word(options.until);
     std::string const how = can_write_checkpoints() ? fmt::format("to go on: {} --resume", command)
                                                     : "this build writes no checkpoints: it has to begin anew";
     std::fputs(
@@ -133,8 +137,8 @@ int run_scene(RunOptions const& options)
     std::optional<ResumePoint> resume;
     if (options.resume) resume = resume_point(state, plan);
     RunOutput output(folder, scene, plan, resume, state.clock.stage, options.quiet);
+    output.open();
     try {
-        output.open();
         StopSignals const signals;
         std::string const outcome = run_stages(scene, plan, until, state, output);
         if (outcome == "stopped" && stop_signal() != 0) return stopped_by_signal(options, folder, state, output);
@@ -143,12 +147,15 @@ int run_scene(RunOptions const& options)
                                state.tally.produced_mass, folder.string()));
         return 0;
     } catch (SimulationError const& error) {
-        say_how_it_ended(output, error);
+        output.finish_after(error.what());
         bool const saved = !list_checkpoints(folder).empty();
         std::string const left = saved ? fmt::format("the last checkpoint in {} is the last good state", folder.string())
                                        : "no checkpoint was due before";
         std::fputs(fmt::format("error: {}\n{}\n", error.what(), left).c_str(), stderr);
         return 1;
+    } catch (std::exception const& error) { // who called says it
+        output.finish_after(error.what());
+        throw;
     }
 }
 

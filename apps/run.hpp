@@ -18,7 +18,8 @@ struct RunOptions {
 };
 
 /// Exit code: 0 done or stopped where `until` says, 1 physics or an output file that cannot be written ended it, 128 + n
-/// stopped by signal n (SIGINT, SIGTERM). Throws InputError for bad input, before anything is written.
+/// stopped by signal n (SIGINT, SIGTERM). Throws InputError for bad input: before anything is written, but for what shows
+/// only when a stage begins (grains that find no place, say).
 int run_scene(RunOptions const& options);
 
 } // namespace arenite

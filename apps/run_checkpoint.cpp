@@ -22,9 +22,14 @@ template <class State, class Function> void for_each_number(State& state, Functi
     f("clock/dt", state.clock.dt);
     f("tally/produced_mass", state.tally.produced_mass);
     f("tally/produced_count", state.tally.produced_count);
+    f("tally/lost_mass", state.tally.lost_mass);
     f("tally/lost_count", state.tally.lost_count);
     f("tally/stage_produced_mass", state.stage_tally.produced_mass);
     f("tally/stage_produced_count", state.stage_tally.produced_count);
+    f("tally/stage_lost_mass", state.stage_tally.lost_mass);
+    f("tally/stage_lost_count", state.stage_tally.lost_count);
+    f("record/highest_overlap_ratio", state.record.highest_overlap_ratio);
+    f("record/highest_step_ratio", state.record.highest_step_ratio);
     f("search/skin", state.skin);
     f("search/last", state.last_search);
     f("stage/tuned_friction", state.tuned_friction);
@@ -179,13 +184,12 @@ void save_fluid(CheckpointWriter& out, FluidState& fluid)
     });
     out.array("fluid_box", std::vector<Real>{fluid.box.lower.x, fluid.box.lower.y, fluid.box.lower.z, fluid.box.upper.x,
                                              fluid.box.upper.y, fluid.box.upper.z});
-    Vec3 const& body_force = fluid.flow.body_force; // of the stage that made the fluid
-    out.array("fluid_body_force", std::vector<Real>{body_force.x, body_force.y, body_force.z});
     out.value("fluid/with_grains", fluid.flow.has_drag() ? 1 : 0);
     FlowReport const& report = fluid.report;
     out.array("fluid_report", std::vector<Real>{static_cast<Real>(report.pressure_iterations), report.pressure_residual,
                                                 report.continuity_error, report.courant, report.inflow, report.outflow,
-                                                report.converged ? Real(1) : Real(0)});
+                                                report.velocity_converged ? Real(1) : Real(0),
+                                                report.pressure_converged ? Real(1) : Real(0)});
     CoupledSet const& coupled = fluid.exchange.coupled;
     out.value("coupled/count", coupled.count);
     out.value("coupled/digest", static_cast<std::int64_t>(coupled.digest));
@@ -210,9 +214,8 @@ void load_fluid(CheckpointReader const& in, Scene const& scene, PlannedStage con
         if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Real>) field = in.value<Real>("fluid/" + name);
         else if (in.has("fluid/" + name)) in.view("fluid/" + name, field);
     });
-    std::vector<Real> const body_force = in.array<Real>("fluid_body_force"), r = in.array<Real>("fluid_report");
-    for (int axis = 0; axis < 3; ++axis) fluid.flow.body_force[axis] = body_force.at(axis);
-    fluid.report = {static_cast<int>(r.at(0)), r.at(1), r.at(2), r.at(3), r.at(4), r.at(5), r.at(6) != 0};
+    std::vector<Real> const r = in.array<Real>("fluid_report");
+    fluid.report = {static_cast<int>(r.at(0)), r.at(1), r.at(2), r.at(3), r.at(4), r.at(5), r.at(6) != 0, r.at(7) != 0};
     CoupledSet& coupled = fluid.exchange.coupled;
     coupled.count = in.value<int>("coupled/count");
     coupled.digest = static_cast<std::uint64_t>(in.value<std::int64_t>("coupled/digest"));
@@ -257,6 +260,10 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
         if (view.is_allocated()) out.array(name, first_rows(view, state.contacts.count));
     });
     out.array("particles/motion", motion_bytes(state.particles));
+    // For a scene that takes its grains from here and may have its materials in another order.
+    out.value("materials/count", static_cast<int>(scene.materials.size()));
+    for (std::size_t row = 0; row < scene.materials.size(); ++row)
+        out.text(fmt::format("materials/{}", row), scene.materials[row].name);
     if (state.energy) save_energy(out, *state.energy);
     save_groups(out, state.groups);
     out.value("contacts/count", state.contacts.count);

@@ -35,6 +35,14 @@ std::int64_t steps_of(Real interval, Real dt)
     return interval > 0 ? std::max<std::int64_t>(1, std::llround(std::min(interval / dt, never))) : 0;
 }
 
+/// m2 that the stage gives for the stress on a wall; 0: none.
+Real area_of(std::string const& wall, StageSettings const& stage)
+{
+    for (WallAction const& action : stage.walls)
+        if (action.wall == wall && action.servo) return action.servo->area;
+    return stage.end.stress_wall == wall ? stage.end.stress_area : 0;
+}
+
 } // namespace
 
 RunOutput::RunOutput(std::filesystem::path folder, Scene const& scene, StagePlan const& plan,
@@ -90,7 +98,7 @@ void RunOutput::begin_stage(PlannedStage const& planned, RunState const& state)
     planned_ = &planned;
     cadence_ = cadence(planned);
     stage_begin_ = std::chrono::steady_clock::now();
-    stage_first_step_ = state.clock.step;
+    counted_step_ = state.clock.step;
     summary_.stages.emplace_back();
     stage().name = planned.label;
     TimeStepLimits const& limits = planned.limits;
@@ -108,9 +116,8 @@ void RunOutput::begin_stage(PlannedStage const& planned, RunState const& state)
 /// Said before hours are spent. Two checkpoints stay, beside those at the ends of stages, while the next one is written.
 void RunOutput::warn_of_little_space(RunState const& state)
 {
-    constexpr double bytes_per_grain = 800, bytes_per_cell = 160; // contacts included; measured on packs under stress
     double const cells = state.fluid ? static_cast<double>(state.fluid->flow.grid.cell_count()) : 0;
-    double const needed = 3 * (bytes_per_grain * state.particles.count + bytes_per_cell * cells);
+    double const needed = 3 * checkpoint_bytes(state.particles.count, cells);
     std::error_code unknown;
     auto const space = std::filesystem::space(folder_, unknown);
     if (unknown || !can_write_checkpoints() || static_cast<double>(space.available) > needed) return;
@@ -140,6 +147,8 @@ void RunOutput::write_history(RunState& state, Look const& look)
         row.wall_forces.push_back(state.walls.state[w].present ? std::optional<Vec3>(look.walls[w].force) : std::nullopt);
     row.produced_mass = state.tally.produced_mass;
     row.produced_count = state.tally.produced_count;
+    row.lost_mass = state.tally.lost_mass;
+    row.lost_count = state.tally.lost_count;
     row.max_overlap_ratio = std::max(look.contacts.highest_overlap_ratio, look.wall_overlap_ratio);
     if (state.fluid) row.flow = state.fluid->report;
     row.extra = extra_values(scene_, look, state);
@@ -185,9 +194,19 @@ void RunOutput::fluid_warnings(RunState const& state)
              fmt::format("step {}: {} cells held more grains than the minimum porosity allows ({:.4g}); {:.3g} m3 "
                          "of grains are unseen by the fluid",
                          state.clock.step, report.limited_cells, report.lowest_porosity, report.limited_volume));
-    if (!state.fluid->report.converged)
+    FlowReport const& flow = state.fluid->report;
+    if (flow.courant > 1 && scene_.fluid->convection != ConvectionScheme::none)
+        warn("courant",
+             fmt::format("step {}: the fluid's Courant number is {:.3g}: above 1 its convection, which is explicit, "
+                         "is not stable; a shorter fluid.time_step helps",
+                         state.clock.step, flow.courant));
+    if (!flow.velocity_converged)
+        warn("velocity_not_converged", fmt::format("step {}: the velocity solve did not converge: the fluid's step is long "
+                                                   "for its drag and viscosity",
+                                                   state.clock.step));
+    if (!flow.pressure_converged)
         warn("pressure_not_converged", fmt::format("step {}: the pressure solve stopped at a relative residual of {:.3g}",
-                                                   state.clock.step, state.fluid->report.pressure_residual));
+                                                   state.clock.step, flow.pressure_residual));
 }
 
 void RunOutput::write_due(StageSetup const& setup, RunState& state, StageWatch& watch, bool ended)
@@ -197,8 +216,8 @@ void RunOutput::write_due(StageSetup const& setup, RunState& state, StageWatch& 
     if (ended || OutputCadence::due(cadence_.history, step)) write_history(state, watch.look(setup, state));
     if (ended || OutputCadence::due(cadence_.fields, step)) write_fields(state);
     fluid_warnings(state);
-    stage().particle_steps =
-        static_cast<Real>(state.particles.count) * static_cast<Real>(state.clock.step - stage_first_step_);
+    stage().particle_steps += static_cast<Real>(state.particles.count) * static_cast<Real>(state.clock.step - counted_step_);
+    counted_step_ = state.clock.step;
     if (!quiet_)
         progress_.update({planned_->label, state.clock.stage_time(), planned_->settings.duration, state.clock.step,
                           state.particles.count});
@@ -211,32 +230,34 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
     s.ended_by = ended_by;
     s.wall_time = seconds_since(stage_begin_);
     s.simulated_time = state.clock.stage_time();
-    s.steps = state.clock.step - stage_first_step_;
+    s.steps = state.clock.stage_step;
     s.grains = state.particles.count;
     s.contacts = look.contacts.touching;
     s.bonds = look.contacts.adhering;
     s.porosity = look.porosity;
     if (state.particles.count > 0) s.coordination = 2 * static_cast<Real>(look.contacts.touching) / state.particles.count;
     s.kinetic_energy = look.grains.kinetic_energy();
-    s.max_overlap_ratio = watch.highest_overlap_ratio();
+    s.max_overlap_ratio = state.record.highest_overlap_ratio;
     s.produced_mass = state.tally.produced_mass - state.stage_tally.produced_mass;
     s.produced_count = state.tally.produced_count - state.stage_tally.produced_count;
+    s.lost_mass = state.tally.lost_mass - state.stage_tally.lost_mass;
+    s.lost_count = state.tally.lost_count - state.stage_tally.lost_count;
     for (int w = 0; w < state.walls.count(); ++w) {
         if (!state.walls.state[w].present) continue;
         WallSummary wall{state.walls.settings[w].name, look.walls[w].force, {}};
         if (state.walls.settings[w].shape == WallShape::plane)
-            wall.stress = wall_stress(state.walls, w, look.walls[w], 0, state.box);
+            wall.stress = wall_stress(state.walls, w, look.walls[w], area_of(wall.name, planned_->settings), state.box);
         s.walls.push_back(wall);
     }
-    s.values["elastic_energy_J"] = look.contacts.energy();
+    s.values["elastic_energy_J"] = look.elastic_energy();
     s.values["grain_mass_kg"] = look.grains.mass;
     s.values["time_step_s"] = planned_->dt;
-    s.values["time_step_over_contact_limit"] = watch.highest_step_ratio();
+    s.values["time_step_over_contact_limit"] = state.record.highest_step_ratio;
     s.values["searches"] = static_cast<Real>(setup.searches);
     if (state.tuned_friction >= 0) s.values["tuned_friction"] = state.tuned_friction;
-    if (watch.highest_step_ratio() > 1)
+    if (state.record.highest_step_ratio > 1)
         warn("time_step", fmt::format("{}: the stiffest contact would need a step {:.2f} times smaller to be surely stable",
-                                      planned_->label, watch.highest_step_ratio()));
+                                      planned_->label, state.record.highest_step_ratio));
     flush_tables();
     finish("running"); // so that a kill later leaves what is known now
     if (state.particles.count == 0)
@@ -246,7 +267,7 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
                     "elastic energy "
                     "{:.2e}; {:.1f} s, {:.3g} particle-steps/s",
                     planned_->label, ended_by, s.simulated_time, s.steps, s.porosity.value_or(1), s.coordination.value_or(0),
-                    s.bonds, look.contacts.energy() > 0 ? s.kinetic_energy / look.contacts.energy() : 0, s.wall_time,
+                    s.bonds, look.elastic_energy() > 0 ? s.kinetic_energy / look.elastic_energy() : 0, s.wall_time,
                     s.wall_time > 0 ? s.particle_steps / s.wall_time : 0));
 }
 
@@ -264,12 +285,15 @@ void RunOutput::write_checkpoint(RunState& state, bool stage_end)
     prune_checkpoints(folder_);
 }
 
-Real RunOutput::write_produced(Grain const& grain, RunState const& state)
+Real RunOutput::mass_of(Grain const& grain) const
 {
-    Real const mass = scene_.materials[grain.material].density * 3.14159265358979323846 / 6 * std::pow(grain.diameter, 3);
-    ledger_.add({state.clock.time(), grain.id, grain.size_class, grain.diameter, scene_.coarse_graining.factor, mass,
-                 grain.position, grain.velocity});
-    return mass;
+    return scene_.materials[grain.material].density * sphere_volume(grain.diameter / 2);
+}
+
+void RunOutput::write_produced(Grain const& grain, RunState const& state)
+{
+    ledger_.add({state.clock.time(), grain.id, grain.size_class, grain.diameter, scene_.coarse_graining.factor,
+                 mass_of(grain), grain.position, grain.velocity});
 }
 
 void RunOutput::warn(std::string const& kind, std::string const& message)
@@ -291,6 +315,20 @@ void RunOutput::say(std::string const& message)
     progress_.clear();
     std::fputs((message + "\n").c_str(), stdout);
     std::fflush(stdout);
+}
+
+void RunOutput::finish_after(std::string const& failure)
+{
+    auto const as_far_as_it_goes = [](auto const& write) {
+        try {
+            write();
+        } catch (std::exception const&) { // a disk that is full for one file may be so for the next: the failure is told
+        }
+    };
+    as_far_as_it_goes([&] { history_.flush(); });
+    as_far_as_it_goes([&] { ledger_.flush(); });
+    as_far_as_it_goes([&] { probes_.flush(); });
+    as_far_as_it_goes([&] { finish(failure); });
 }
 
 void RunOutput::finish(std::string const& outcome)

@@ -52,7 +52,8 @@ public:
     void write_checkpoint(RunState& state, bool stage_end);
 
     /// One row of the ledger; returns the grain's mass, kg.
-    Real write_produced(Grain const& grain, RunState const& state);
+    Real mass_of(Grain const& grain) const; // kg
+    void write_produced(Grain const& grain, RunState const& state);
 
     /// Counts a warning of a kind; prints the first ones in a stage of the scene, whatever parts it is run in. The end of a
     /// part is the start of the next one: what was said of it is not said again.
@@ -61,6 +62,8 @@ public:
 
     /// Writes summary.json with how the run ended.
     void finish(std::string const& outcome);
+    /// The tables and the summary of a run that something ended, as far as they can be written. Throws nothing.
+    void finish_after(std::string const& failure);
 
 private:
     void write_history(RunState& state, Look const& look);
@@ -82,7 +85,7 @@ private:
     PlannedStage const* planned_ = nullptr;
     OutputCadence cadence_;
     std::chrono::steady_clock::time_point run_begin_, stage_begin_;
-    std::int64_t stage_first_step_ = 0, last_fields_step_ = -1;
+    std::int64_t counted_step_ = 0, last_fields_step_ = -1;
     std::map<std::pair<int, std::string>, std::int64_t> warnings_; // [stage of the scene, kind] how many
     std::map<std::string, std::string> last_warning_;              // [kind]
     bool quiet_;

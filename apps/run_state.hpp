@@ -43,7 +43,14 @@ struct FluidState {
 struct Tally {
     Real produced_mass = 0; // kg
     std::int64_t produced_count = 0;
-    std::int64_t lost_count = 0; // grains that left the domain other than through the outlet
+    Real lost_mass = 0; // kg of grains that left the domain other than through the outlet
+    std::int64_t lost_count = 0;
+};
+
+/// What the running stage has to tell at its end, in checkpoints so that a resumed run tells it too.
+struct StageRecord {
+    Real highest_overlap_ratio = 0;
+    Real highest_step_ratio = 0; // dt over the stability limit of the stiffest contact that a look saw
 };
 
 struct RunState {
@@ -60,10 +67,11 @@ struct RunState {
     std::unique_ptr<FluidState> fluid;
     std::optional<EnergyAccount> energy; // where the scene asks for a balance
     Tally tally, stage_tally;            // now, and when the stage began
-    Real skin = 0;                       // m, adapts to how often the list goes stale
-    std::int64_t last_search = 0;        // step
-    Real tuned_friction = -1;            // of the running stage while it tunes; below 0: the material's own
-    SumWorkspace sums;                   // scratch
+    StageRecord record;
+    Real skin = 0;                // m, adapts to how often the list goes stale
+    std::int64_t last_search = 0; // step
+    Real tuned_friction = -1;     // of the running stage while it tunes; below 0: the material's own
+    SumWorkspace sums;            // scratch
 };
 
 } // namespace arenite

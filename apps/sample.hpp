@@ -9,8 +9,12 @@
 
 namespace arenite {
 
-/// The part of the domain in front of every axis-parallel plane that is present.
+/// The part of the domain in front of every axis-parallel plane that is present, and in every box or tube along the axes
+/// that holds the grains.
 Region sample_region(Walls const& walls, PeriodicBox const& domain);
+
+/// Of that part, m3: the tubes' cross-sections are circles. Oblique walls, rods and meshes take nothing from it.
+Real sample_volume(Walls const& walls, PeriodicBox const& domain);
 
 inline Real volume_of(Region const& region)
 {

@@ -2,7 +2,10 @@
 #include "apps/stage_forces.hpp"
 
 #include "kernels/contact/contact_laws.hpp"
+#include "kernels/contact_search.hpp"
 #include "kernels/evaluate_forces.hpp"
+
+#include <algorithm>
 
 namespace arenite {
 namespace {
@@ -27,10 +30,10 @@ template <class Law> Terms<3> pair_energies(Law const& law, RunState& state)
                                 PairEnergy<Law>{{law.pairs, state.contacts, p.position, p.material, state.box}});
 }
 
-template <class Law> Terms<3> wall_energies(Law const& law, RunState& state)
+template <class Law> Terms<4> wall_energies(Law const& law, RunState& state)
 {
     Particles const& p = state.particles;
-    return reproducible_sums<3>(
+    return reproducible_sums<4>(
         state.sums, "wall_energy", state.wall_contacts.count,
         WallEnergy<Law>{law.pairs, state.wall_contacts, state.walls.views, p.position, p.velocity, p.material});
 }
@@ -59,9 +62,14 @@ void bind_balance(AnyContactLaw const& law, AnyContactLaw const& wall_law, RunSt
     };
     forces.stored = [&state, law, wall_law] {
         Terms<3> const pairs = std::visit([&](auto const& l) { return pair_energies(l, state); }, law);
-        Terms<3> const walls = std::visit([&](auto const& l) { return wall_energies(l, state); }, wall_law);
+        Terms<4> const walls = std::visit([&](auto const& l) { return wall_energies(l, state); }, wall_law);
         return StoredEnergy{pairs[0] + walls[0], pairs[1] + walls[1], pairs[2] + walls[2]};
     };
+}
+
+bool any_bonds_at_start(std::vector<PairConstants> const& pairs)
+{
+    return std::any_of(pairs.begin(), pairs.end(), [](PairConstants const& pair) { return pair.bonds_at_start; });
 }
 
 } // namespace
@@ -80,13 +88,22 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
     forces.evaluate = [&state, law, wall_law](Real dt) {
         StepGate const gate = state.integrator.gate();
         evaluate_contacts(law, state.particles, state.box, state.contacts, dt, gate);
-        evaluate_wall_contacts(wall_law, state.particles, state.walls, state.wall_contacts, dt, gate);
+        evaluate_wall_contacts(wall_law, state.particles, state.box, state.walls, state.wall_contacts, dt, gate);
     };
+    bool const grains_bond = any_bonds_at_start(pairs), walls_bond = any_bonds_at_start(planned.wall_pairs);
+    if (grains_bond || walls_bond)
+        forces.form_bonds = [&state, law, wall_law, grains_bond, walls_bond] {
+            if (grains_bond) form_bonds(state.particles, state.box, state.contacts, pair_table(law));
+            if (walls_bond) form_wall_bonds(state.particles, state.walls, state.wall_contacts, pair_table(wall_law));
+        };
     forces.report = std::visit(
         [&state](auto const& l) -> std::function<ContactReport()> {
             return [&state, l] { return report_contacts(l, state.particles, state.box, state.contacts, state.sums); };
         },
         law);
+    forces.wall_elastic = [&state, wall_law] {
+        return std::visit([&](auto const& l) { return wall_energies(l, state)[3]; }, wall_law);
+    };
     bind_balance(law, wall_law, state, forces);
     return forces;
 }

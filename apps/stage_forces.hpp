@@ -14,6 +14,8 @@ struct StageForces {
     ContactNeeds needs, wall_needs;
     std::function<void(Real dt)> evaluate; // forces of grains and walls where everything is now
     std::function<ContactReport()> report; // energies and counts of the grains' contacts
+    std::function<Real()> wall_elastic;    // J held by the grains' contacts with walls, as ContactReport's
+    std::function<void()> form_bonds;      // of what touches now; empty where no pair bonds at the start
 
     // For a balance sheet, to `to` as reproducible_sums_to does it. adhered: the contacts' flags when they were last looked
     // at, brought up to date; origin: of the box's strain, m.

@@ -2,10 +2,14 @@
 #include "apps/stage_loop.hpp"
 
 #include "apps/make_state.hpp"
+#include "apps/sample.hpp"
 #include "apps/stage_setup.hpp"
 #include "apps/stage_watch.hpp"
 #include "apps/stop_signal.hpp"
+#include "core/coarse_graining.hpp"
 #include "core/wall_motion.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +57,28 @@ void warn_of_fast_walls(StageSetup const& setup, RunState const& state, RunOutpu
 {
     std::string const message = tunnelling_walls(state.walls, smallest_grain_diameter(state.particles) / 2, setup.step.dt);
     if (!message.empty()) output.warn("fast_wall", message);
+}
+
+/// Names that mean nothing in this run; said once, when its grains are there.
+void warn_of_the_absent(Scene const& scene, RunState const& state, RunOutput& output)
+{
+    for (std::size_t g = 0; g < scene.groups.size(); ++g)
+        if (state.groups.members.size() > g && state.groups.members[g].empty())
+            output.warn("empty_group", fmt::format("group {} has no grain", scene.groups[g].name));
+    auto const id = Kokkos::create_mirror_view_and_copy(HostSpace(), state.particles.id);
+    for (ProbeSettings const& probe : scene.output.probes) {
+        bool found = !probe.grain;
+        for (int i = 0; i < state.particles.count && !found; ++i) found = id(i) == *probe.grain;
+        if (!found) output.warn("probe", fmt::format("probe {}: there is no grain {}", probe.name, *probe.grain));
+    }
+    if (scene.particles.source != ParticleSource::distribution) return;
+    std::vector<SizeClass> const classes =
+        make_size_classes(scene.particles.distribution, scene.coarse_graining, volume_of(generation_region(scene)));
+    for (std::size_t c = 0; c < classes.size(); ++c)
+        if (classes[c].count == 0 && scene.particles.distribution.fractions[c] > 0)
+            output.warn("empty_class",
+                        fmt::format("class {} ({:g} m): its share of the grains is less than one: it has none", c,
+                                    classes[c].diameter));
 }
 
 /// From one moment at which somebody looks to the next.
@@ -115,6 +141,7 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
     Cadence const cadence = make_cadence(planned, watch, until, state.clock, output);
     output.begin_stage(planned, state);
     warn_of_fast_walls(setup, state, output);
+    if (state.clock.step == 0) warn_of_the_absent(scene, state, output);
     if (!resumes) output.write_start(state, watch.look(setup, state));
     for (bool first = true;; first = false) {
         std::int64_t const step = state.clock.stage_step;
@@ -122,8 +149,8 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
             std::optional<std::string> ended;
             if (cadence.checks_at(step)) ended = watch.has_ended(setup, state);
             if (!first) {
+                if (cadence.checks_at(step) && remove_departed(setup, state, output)) watch.forget_look();
                 output.write_due(setup, state, watch, ended.has_value());
-                if (cadence.checks_at(step)) remove_departed(setup, state, output);
             }
             if (ended) {
                 output.end_stage(setup, state, watch, *ended);
@@ -135,7 +162,9 @@ std::string run_stage(Scene const& scene, PlannedStage const& planned, Until con
         }
         bool const past_until = cadence.until > 0 && step >= cadence.until;
         if (!first && (past_until || stop_signal() != 0)) {
+            StageRecord const record = state.record;
             output.end_stage(setup, state, watch, "stopped");
+            state.record = record; // it looked where a run without a stop does not
             return "stopped";
         }
         if (cadence.fluid > 0 && state.clock.stage_step % cadence.fluid == 0) {

@@ -17,13 +17,18 @@ struct PlannedStage {
     std::string label;      // "compression", or "compression/press" for a part of it
     int scene_stage = 0;    // row of Scene::stages
     CompressionPart part = CompressionPart::none;
-    Real gap = 0; // m by which a press is to make the sample thinner, as far as the scene says it
+    Real porosity = 0; // where a densifying plate stops
+    Real gap = 0;      // m by which a press is to make the sample thinner, as far as the scene says it
     TimeStepLimits limits;
-    Real dt = 0;                                  // s
-    int coupling_interval = 0;                    // grain steps per fluid step; 0 without fluid
-    bool form_bonds = false;                      // touching contacts become bonds at the start
-    bool keeps_balance = false;                   // of energies
+    Real grain_friction = 0;    // the largest between grains
+    int strictest = -1;         // row of the material whose grains need the shortest step; -1 without grains
+    Real dt = 0;                // s
+    int coupling_interval = 0;  // grain steps per fluid step; 0 without fluid
+    bool keeps_balance = false; // of energies
+    int materials = 0;
     std::vector<PairConstants> pairs, wall_pairs; // [material][material]
+
+    PairConstants const& pair(int material, int other) const { return pairs[material * materials + other]; }
 };
 
 using StagePlan = std::vector<PlannedStage>;

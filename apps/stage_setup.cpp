@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/wall_motion.hpp"
 #include "kernels/contact_search.hpp"
+#include "kernels/diagnostics.hpp"
 #include "kernels/production.hpp"
 #include "kernels/stress.hpp"
 #include "kernels/wall_reactions.hpp"
@@ -24,9 +25,10 @@ void set_skin_limits(StageSetup& setup, RunState& state)
     Real const known = setup.planned->limits.smallest_diameter;
     Real const smallest_diameter = known > 0 ? known : Real(1); // any, where there are no grains
     Real reach = 0;                                             // how far apart adhering grains can be
-    for (PairConstants const& pair : setup.planned->pairs)
-        if (pair.surface_energy > 0)
-            reach = std::max(reach, -pair.break_overlap * pair.length_factor * std::cbrt(10 * smallest_diameter));
+    for (auto const* pairs : {&setup.planned->pairs, &setup.planned->wall_pairs})
+        for (PairConstants const& pair : *pairs)
+            if (pair.surface_energy > 0)
+                reach = std::max(reach, -pair.break_overlap * pair.length_factor * std::cbrt(10 * smallest_diameter));
     setup.smallest_diameter = smallest_diameter;
     setup.least_skin = std::max(least_relative_skin * smallest_diameter, 4 * reach);
     setup.most_skin = std::max(most_relative_skin * smallest_diameter, setup.least_skin);
@@ -34,25 +36,66 @@ void set_skin_limits(StageSetup& setup, RunState& state)
     state.skin = std::clamp(state.skin, setup.least_skin, setup.most_skin);
 }
 
-/// The sample strains about the end that is opposite to the carrier.
-void hold_far_end(StageSetup& setup, RunState const& state)
+/// The corner of the sample at the end that a plane faces.
+Vec3 far_end(Vec3 const& normal, Region const& sample)
 {
-    Vec3 const axis = axis_of(state.walls, setup.carrier);
-    Region const sample = sample_region(state.walls, state.box);
+    Vec3 corner = sample.lower;
     for (int n = 0; n < 3; ++n)
-        if (std::fabs(axis[n]) >= Real(0.5)) setup.step.box_lower[n] = axis[n] < 0 ? sample.lower[n] : sample.upper[n];
+        if (normal[n] > 0) corner[n] = sample.upper[n];
+    return corner;
+}
+
+/// The sample strains about the end that is opposite to the carrier.
+void hold_far_end(int carrier, RunState& state)
+{
+    Vec3 const axis = axis_of(state.walls, carrier), end = far_end(axis, sample_region(state.walls, state.box));
+    for (int n = 0; n < 3; ++n)
+        if (std::fabs(axis[n]) >= Real(0.5)) state.box.strain_origin[n] = end[n];
 }
 
 /// It strains as the carrier moves.
-void ride_on_carrier(StageSetup& setup, RunState& state)
+void ride_on_carrier(int carrier, RunState& state)
 {
-    Vec3 const axis = axis_of(state.walls, setup.carrier);
-    WallState const& wall = state.walls.state[setup.carrier];
-    hold_far_end(setup, state);
+    Vec3 const axis = axis_of(state.walls, carrier);
+    WallState const& wall = state.walls.state[carrier];
+    hold_far_end(carrier, state);
     state.box.strain_rate = {};
     for (int n = 0; n < 3; ++n)
         if (std::fabs(axis[n]) >= Real(0.5))
-            state.box.strain_rate[n] = wall.velocity[n] / (wall.position[n] - setup.step.box_lower[n]);
+            state.box.strain_rate[n] = wall.velocity[n] / (wall.position[n] - state.box.strain_origin[n]);
+}
+
+/// Planes and the servos' default areas are those of the domain as it is now.
+void fit_walls_to_box(RunState& state)
+{
+    state.walls.lower = state.box.lower;
+    state.walls.upper = state.box.upper;
+}
+
+void follow_box(StageSetup& setup, RunState const& state)
+{
+    setup.step.strain_rate = state.box.strain_rate;
+    setup.step.strain_origin = state.box.strain_origin;
+}
+
+/// What a stage does with its walls. A densifying plate goes as far as the sample leaves it, now that it is here.
+std::vector<WallAction> wall_actions(PlannedStage const& planned, RunState& state)
+{
+    std::vector<WallAction> actions = planned.settings.walls;
+    if (planned.part != CompressionPart::densify) return actions;
+    for (WallAction& action : actions) {
+        if (action.wall != planned.settings.carrier) continue;
+        int const wall = state.walls.find(action.wall);
+        Region const sample = sample_region(state.walls, state.box);
+        Vec3 const axis = normalized(*action.velocity);
+        Real const solid = report_grains(state.particles, state.sums).volume;
+        Real const height = solid / (cross_section(sample.upper - sample.lower, axis) * (1 - planned.porosity));
+        action.travel = std::fabs(dot(state.walls.state[wall].position - far_end(axis, sample), axis)) - height;
+        if (*action.travel > 0) continue;
+        action.velocity.reset(); // dense enough already
+        action.travel.reset();
+    }
+    return actions;
 }
 
 StageSetup make_setup(Scene const& scene, PlannedStage const& planned, RunState& state)
@@ -64,11 +107,12 @@ StageSetup make_setup(Scene const& scene, PlannedStage const& planned, RunState&
     setup.step.dt = planned.dt;
     setup.step.gravity = stage.gravity.value_or(scene.domain.gravity);
     setup.step.local_damping = stage.local_damping;
-    setup.step.box_lower = state.box.lower;
+    state.box.strain_origin = state.box.lower;
+    fit_walls_to_box(state);
     if (!stage.outlet_wall.empty()) setup.outlet = state.walls.find(stage.outlet_wall);
     if (!stage.carrier.empty()) setup.carrier = state.walls.find(stage.carrier);
-    if (setup.carrier >= 0) hold_far_end(setup, state);
-    setup.step.strain_rate = state.box.strain_rate;
+    if (setup.carrier >= 0) hold_far_end(setup.carrier, state);
+    follow_box(setup, state);
     setup.walls_move = any_wall_moves(state.walls);
     setup.known.step = state.clock.step;
     set_skin_limits(setup, state);
@@ -124,6 +168,7 @@ void move_box(StageSetup const& setup, RunState& state)
         state.box.upper[axis] = state.box.lower[axis] + size[axis] * (1 + setup.step.dt * state.box.strain_rate[axis]);
     for (int axis = 0; axis < 3; ++axis)
         if (box.strain_rate[axis]) state.box.strain_rate[axis] = *box.strain_rate[axis];
+    fit_walls_to_box(state);
 }
 
 /// The next rates of axes that hold a stress: those that bring it to its target. All launched steps must have been made.
@@ -146,8 +191,8 @@ void advance_walls(StageSetup& setup, RunState& state)
 {
     if (setup.walls_move) move_walls(state.walls, setup.step.dt);
     if (setup.planned->settings.box) move_box(setup, state);
-    if (setup.carrier >= 0) ride_on_carrier(setup, state);
-    setup.step.strain_rate = state.box.strain_rate;
+    if (setup.carrier >= 0) ride_on_carrier(setup.carrier, state);
+    follow_box(setup, state);
 }
 
 /// Back to the step after the drift that found the list stale. Of what the host does in a step only the programs of walls
@@ -188,18 +233,20 @@ StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState
         generate_particles(scene, state);
         return {};
     }
-    begin_stage(state.walls, stage.walls);
+    fit_walls_to_box(state);
+    begin_stage(state.walls, wall_actions(planned, state));
     apply_groups(scene, scene.stages[planned.scene_stage].name, state.groups, state.particles);
     state.clock.dt = planned.dt;
     state.stage_tally = state.tally;
+    state.record = {};
     state.box.strain_rate = state.lasting_strain_rate = {};
     if (stage.box)
         for (int axis = 0; axis < 3; ++axis) state.box.strain_rate[axis] = stage.box->strain_rate[axis].value_or(0);
-    state.tuned_friction = stage.target_porosity > 0 ? planned.pairs.front().friction : -1;
+    state.tuned_friction = stage.target_porosity > 0 ? planned.grain_friction : -1;
     prepare_fluid(scene, planned, state);
     StageSetup setup = make_setup(scene, planned, state);
     search(setup, state);
-    if (planned.form_bonds && setup.forces.needs.bonds) form_bonds(state.particles, state.box, state.contacts);
+    if (setup.forces.form_bonds) setup.forces.form_bonds();
     setup.forces.evaluate(0); // no time passes: springs and wall poses stay
     StepSettings still = setup.step;
     still.dt = 0;
@@ -210,8 +257,7 @@ StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState
 StageSetup resume_stage(Scene const& scene, PlannedStage const& planned, RunState& state)
 {
     StageSetup setup = make_setup(scene, planned, state);
-    if (state.contacts.reference_position.is_allocated()) take_up_lists(setup, state);
-    else search(setup, state); // a checkpoint of an earlier version, written right after a search
+    take_up_lists(setup, state);
     return setup;
 }
 
@@ -223,7 +269,12 @@ void set_friction(StageSetup& setup, RunState& state, Real friction)
 
 void search(StageSetup& setup, RunState& state, View1<int> const& keep)
 {
-    search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep}, state.contacts);
+    try {
+        search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep}, state.contacts);
+    } catch (InputError const& error) {
+        if (state.clock.stage_step == 0) throw;
+        throw SimulationError(error.what()); // the scene was sound when the stage began
+    }
     search_wall_contacts(state.particles, state.walls, state.skin, setup.forces.wall_needs, state.wall_contacts);
     setup.step.allowed_move = state.skin / 2;
     state.last_search = state.clock.step;
@@ -264,11 +315,16 @@ bool remove_departed(StageSetup& setup, RunState& state, RunOutput& output)
     Departures const departures = find_departures(state.particles, state.box, state.walls, setup.outlet);
     if (!departures.keep.is_allocated()) return false;
     Real const energy_before = state.energy ? energy_now(setup, state) : 0;
-    for (Grain const& grain : departures.produced) state.tally.produced_mass += output.write_produced(grain, state);
+    for (Grain const& grain : departures.produced) {
+        output.write_produced(grain, state);
+        state.tally.produced_mass += output.mass_of(grain);
+    }
     state.tally.produced_count += static_cast<std::int64_t>(departures.produced.size());
-    for (Grain const& grain : departures.lost)
+    for (Grain const& grain : departures.lost) {
         output.warn("lost_grains", fmt::format("grain {} left the domain at ({:.4g}, {:.4g}, {:.4g}) m in step {}", grain.id,
                                                grain.position.x, grain.position.y, grain.position.z, state.clock.step));
+        state.tally.lost_mass += output.mass_of(grain);
+    }
     state.tally.lost_count += static_cast<std::int64_t>(departures.lost.size());
     search(setup, state, departures.keep);
     if (state.energy) state.energy->removed += energy_before - energy_now(setup, state);

@@ -19,7 +19,10 @@ struct Look {
     std::vector<WallReaction> walls; // [wall]
     std::optional<Real> porosity;    // of the sample
     Real wall_overlap_ratio = 0;
-    std::optional<EnergySheet> energy; // where a balance is kept
+    Real wall_elastic = 0; // J
+
+    Real elastic_energy() const { return contacts.energy() + wall_elastic; } // J, above the force-free state
+    std::optional<EnergySheet> energy;                                       // where a balance is kept
     std::int64_t step = -1;
 };
 
@@ -30,18 +33,17 @@ public:
     /// The state as it is; made once per step however often it is asked for.
     Look const& look(StageSetup const& setup, RunState& state);
 
+    /// The state changed within a step: grains left.
+    void forget_look() { look_.step = -1; }
+
     /// The step of the stage in which its duration ends; 0: it has none.
     std::int64_t last_step() const { return last_step_; }
 
     /// What ended the stage, if something did. Also turns the friction that a stage tunes.
     std::optional<std::string> has_ended(StageSetup& setup, RunState& state);
 
-    /// Throws SimulationError for forces that are not finite: names the grain.
+    /// Throws SimulationError for a flow or forces that are not finite: names the grain.
     void check_health(StageSetup const& setup, RunState& state) const;
-
-    /// dt over the stability limit of the stiffest contact that a look saw, largest so far.
-    Real highest_step_ratio() const { return highest_step_ratio_; }
-    Real highest_overlap_ratio() const { return highest_overlap_ratio_; }
 
 private:
     bool conditions_hold(StageSetup const& setup, RunState& state);
@@ -53,7 +55,6 @@ private:
     StageSettings const& stage_;
     std::int64_t last_step_ = 0; // of the stage
     Look look_;
-    Real highest_step_ratio_ = 0, highest_overlap_ratio_ = 0;
 };
 
 } // namespace arenite

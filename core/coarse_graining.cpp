@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/coarse_graining.hpp"
 
+#include "core/grain.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace arenite {
 namespace {
 
-Real volume_of(Real diameter) { return std::numbers::pi_v<Real> / 6 * diameter * diameter * diameter; }
+Real volume_of(Real diameter) { return sphere_volume(diameter / 2); }
 
 /// Share of the grains, by number, that each class has.
 std::vector<Real> number_fractions(DistributionSettings const& distribution)
@@ -61,14 +62,13 @@ std::vector<SizeClass> make_size_classes(DistributionSettings const& distributio
 {
     bool const one_size = coarse.scheme == CoarseGraining::ssp;
     Real const mean = mean_volume_diameter(distribution);
-    Real const single = coarse.diameter > 0 ? coarse.diameter : mean;
     // SSW keeps the classes' shares by number; SSP's grains weigh the same, so their shares are those by mass.
     std::vector<Real> const shares = one_size ? mass_fractions(distribution) : number_fractions(distribution);
     std::vector<SizeClass> classes(shares.size());
     Real mean_volume = 0;
     for (std::size_t c = 0; c < shares.size(); ++c) {
         classes[c].original_diameter = distribution.diameters[c];
-        classes[c].diameter = coarse.factor * (one_size ? single : distribution.diameters[c]);
+        classes[c].diameter = coarse.factor * (one_size ? mean : distribution.diameters[c]);
         mean_volume += shares[c] * volume_of(classes[c].diameter);
     }
     Real const solid =

@@ -15,6 +15,12 @@ struct SizeClass {
     long long count = 0;
 };
 
+/// Where grains of a distribution are placed.
+inline Region generation_region(Scene const& scene)
+{
+    return scene.particles.distribution.region.value_or(Region{scene.domain.lower, scene.domain.upper});
+}
+
 /// d30, the diameter whose volume is the mean volume, m. fractions by mass or by number.
 Real mean_volume_diameter(DistributionSettings const& distribution);
 

@@ -71,7 +71,6 @@ struct ContactList {
     View1<std::uint8_t> awake;          // [grain] 1 once one of its others has carried a force, else 0
 
     RecordView reference_position; // [grain] where the grains were when the list was built
-    Real skin = 0;                 // m: pairs closer than skin are listed
 
     KOKKOS_FUNCTION int grains() const { return row_begin.extent_int(0) / 2; }
 };

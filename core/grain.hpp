@@ -4,6 +4,8 @@
 
 #include "core/vec3.hpp"
 
+#include <numbers>
+
 namespace arenite {
 
 /// How a grain moves.
@@ -12,6 +14,14 @@ enum class Motion : std::uint8_t {
     held = 1,       // neither moves nor turns, feels and exerts forces
     prescribed = 2, // keeps its velocity and spin whatever the forces
 };
+
+KOKKOS_INLINE_FUNCTION Real sphere_volume(Real radius)
+{
+    return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius;
+}
+
+/// Contacts with walls are sorted by keys that hold 34 bits of an id.
+inline constexpr GrainId largest_grain_id = (GrainId(1) << 34) - 1;
 
 struct Grain {
     Vec3 position;     // m

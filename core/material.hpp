@@ -26,6 +26,7 @@ struct PairConstants {
     // overlap / L below which the contact snaps: 0 at A, delta_C/L, delta_S/L; no bond of a pair that does not adhere holds
     Real break_overlap = std::numeric_limits<Real>::infinity();
     bool forms_on_touch = false;  // full JKR: every touch makes a bond; modified JKR: never again
+    bool bonds_at_start = false;  // modified JKR: what touches when the stage begins is bonded
     bool clip_attraction = false; // damping may not make a Hertz contact attract
     FrictionLimit friction_limit = FrictionLimit::thornton;
     TangentialLaw tangential = TangentialLaw::secant;
@@ -45,7 +46,7 @@ struct PairTable {
 /// The materials as a stage sees them: overrides applied, surface energy times k (physics.md section 2).
 std::vector<MaterialSettings> stage_materials(Scene const& scene, StageSettings const& stage);
 
-/// Constants of every pair under the stage's laws. kind_of_pair is the stage's contact or wall_contact.
+/// Constants of every pair under the stage's laws; contact is the stage's contact or wall_contact.
 std::vector<PairConstants> make_pair_constants(Scene const& scene, StageSettings const& stage,
                                                ContactSettings const& contact);
 

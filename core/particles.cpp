@@ -6,13 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <unordered_set>
 
 namespace arenite {
 namespace {
-
-Real sphere_volume(Real radius) { return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius; }
 
 void check_grains(std::vector<Grain> const& grains)
 {

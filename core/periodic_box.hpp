@@ -7,12 +7,15 @@
 
 #include "core/vec3.hpp"
 
+#include <cmath>
+
 namespace arenite {
 
 struct PeriodicBox {
     Vec3 lower, upper; // m
     bool periodic[3] = {false, false, false};
-    Vec3 strain_rate; // 1/s: grains and images ride on the flow strain_rate * (x - lower)
+    Vec3 strain_rate;   // 1/s: grains and images ride on the flow strain_rate * (x - strain_origin)
+    Vec3 strain_origin; // m, where that flow rests
 
     static constexpr int no_image = 13; // code of the shift (0, 0, 0)
 
@@ -34,7 +37,13 @@ struct PeriodicBox {
     {
         return {strain_rate.x * offset.x, strain_rate.y * offset.y, strain_rate.z * offset.z};
     }
-    bool deforms() const { return !(strain_rate == Vec3{}); }
+    KOKKOS_FUNCTION bool deforms() const { return !(strain_rate == Vec3{}); }
 };
+
+/// Area [m2] that a box of edges `size` [m] shows along a unit axis.
+inline Real cross_section(Vec3 const& size, Vec3 const& axis)
+{
+    return std::fabs(axis.x) * size.y * size.z + std::fabs(axis.y) * size.x * size.z + std::fabs(axis.z) * size.x * size.y;
+}
 
 } // namespace arenite

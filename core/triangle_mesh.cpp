@@ -202,6 +202,9 @@ void fill_grid(MeshData& data, MeshPart& part)
 MeshPart append_mesh(MeshData& data, std::vector<Triangle> const& triangles, std::string const& name)
 {
     if (triangles.empty()) throw InputError(name + ": the mesh has no triangles");
+    if (triangles.size() > static_cast<std::size_t>(most_mesh_triangles))
+        throw InputError(fmt::format("{}: the mesh has {} triangles, more than the {} that one wall can have", name,
+                                     triangles.size(), most_mesh_triangles));
     Extent const extent = extent_of(triangles, name);
     MeshPart part;
     part.first_triangle = static_cast<int>(data.triangles.size());

@@ -13,6 +13,9 @@
 
 namespace arenite {
 
+/// Contacts with walls are sorted by keys that hold 22 bits of an element's number.
+inline constexpr int most_mesh_triangles = 1 << 22;
+
 struct Triangle {
     Vec3 corner[3]; // m, counter-clockwise seen from the grains
 };

@@ -2,6 +2,7 @@
 #include "core/wall_motion.hpp"
 
 #include "core/error.hpp"
+#include "core/periodic_box.hpp"
 
 #include <fmt/format.h>
 
@@ -74,17 +75,11 @@ bool moves(WallState const& state)
     return state.servo.on || (on_its_way && !rests);
 }
 
-Real default_area(Walls const& walls, Vec3 const& axis)
-{
-    Vec3 const edge = walls.upper - walls.lower; // of the domain's cross-section, projected along axis
-    return std::fabs(axis.x) * edge.y * edge.z + std::fabs(axis.y) * edge.x * edge.z + std::fabs(axis.z) * edge.x * edge.y;
-}
-
 void set_servo(Walls const& walls, WallState& state, ServoSettings const& settings)
 {
     state.servo.on = true;
     state.servo.axis = normalized(settings.axis);
-    Real const area = settings.area > 0 ? settings.area : default_area(walls, state.servo.axis);
+    Real const area = settings.area > 0 ? settings.area : cross_section(walls.upper - walls.lower, state.servo.axis);
     state.servo.target = settings.force > 0 ? settings.force : settings.stress * area;
     state.servo.max_speed = settings.max_speed;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How far walls came, and their state to and from a checkpoint.
 #include "core/error.hpp"
+#include "core/wall_geometry.hpp"
 #include "core/wall_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace arenite {
 
@@ -34,6 +36,36 @@ Real surface_motion(Walls const& walls, int wall, std::function<Vec3(Vec3 const&
         return corners(walls.mesh_part[wall].lower, walls.mesh_part[wall].upper);
     }
     return 0;
+}
+
+bool stands_clear(Walls const& walls, Vec3 const& x, Real radius)
+{
+    Real const least = radius * (1 - Real(1e-9)); // what a rounding takes from a grain that was put against a wall
+    auto const is_clear = [&](int w) {
+        WallBody const& body = walls.body[w];
+        Vec3 const local = pose_of(walls.state[w]).to_local(x);
+        switch (body.shape) {
+        case WallShape::plane:
+            return dot(body.axis, local) >= least;
+        case WallShape::cylinder: {
+            if (!body.inside) return wall_geometry::rod(body.axis, body.length, body.radius, local).distance >= least;
+            wall_geometry::AxialPosition const p = wall_geometry::axial_position(local, body.axis);
+            bool const beyond_its_ends = p.height < -radius || p.height > body.length + radius;
+            return beyond_its_ends || body.radius - p.radial >= least;
+        }
+        case WallShape::box:
+            if (!body.inside) return wall_geometry::solid_box(body.half, local).distance >= least;
+            for (int axis = 0; axis < 3; ++axis)
+                if (body.half[axis] - std::fabs(local[axis]) < least) return false;
+            return true;
+        case WallShape::mesh:
+            return true;
+        }
+        return true;
+    };
+    for (int w = 0; w < walls.count(); ++w)
+        if (walls.state[w].present && !is_clear(w)) return false;
+    return true;
 }
 
 Real wall_displacement(Walls const& walls, std::vector<WallPose> const& before)

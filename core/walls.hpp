@@ -82,7 +82,7 @@ struct Walls {
     std::vector<WallState> state;       // [wall]
     std::vector<WallBody> body;         // [wall] what the device has
     std::vector<MeshPart> mesh_part;    // [wall]
-    Vec3 lower, upper;                  // the domain: reach of infinite planes, default area of servos
+    Vec3 lower, upper;                  // the domain as it is now: reach of infinite planes, default area of servos
     WallViews views;
 
     int count() const { return static_cast<int>(settings.size()); }
@@ -113,6 +113,9 @@ WallPose pose_of(WallState const& state);
 
 /// Point of a plane's or cylinder's axis direction in the world, now.
 Vec3 axis_of(Walls const& walls, int wall);
+
+/// Whether a sphere stands wholly on the grains' side of every present wall. Meshes are not looked at.
+bool stands_clear(Walls const& walls, Vec3 const& x, Real radius);
 
 /// Upper bound of how far any point of the present walls' surfaces came towards grains since `before` [m].
 /// Sliding in their own surface (a plate sideways, a cylinder about its axis) brings them no nearer.

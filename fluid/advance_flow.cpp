@@ -96,6 +96,11 @@ FlowReport report_step(Flow const& flow, FlowSolver& solver, Real dt)
 
 } // namespace
 
+Vec3 body_force(FluidSettings const& settings, Vec3 const& gravity)
+{
+    return settings.gravity ? settings.body_force + settings.density * gravity : settings.body_force;
+}
+
 Flow make_flow(FluidSettings const& settings, Region const& box, bool with_grains, Vec3 gravity)
 {
     Flow flow;
@@ -103,8 +108,7 @@ Flow make_flow(FluidSettings const& settings, Region const& box, bool with_grain
     set_periodic_axes(settings, flow.grid);
     flow.density = settings.density;
     flow.viscosity = settings.viscosity;
-    flow.body_force = settings.body_force;
-    if (settings.gravity) flow.body_force += settings.density * gravity;
+    flow.body_force = body_force(settings, gravity);
 
     static constexpr char const* names[3] = {"fluid_velocity_x", "fluid_velocity_y", "fluid_velocity_z"};
     static constexpr char const* drag_names[3] = {"drag_velocity_x", "drag_velocity_y", "drag_velocity_z"};
@@ -138,7 +142,8 @@ FlowReport advance_flow(Flow& flow, FlowBoundary const& boundary, FlowSolver& so
     FlowReport report = report_step(flow, solver, dt);
     report.pressure_iterations = pressure.iterations;
     report.pressure_residual = pressure.residual;
-    report.converged = predicted && pressure.converged;
+    report.velocity_converged = predicted;
+    report.pressure_converged = pressure.converged;
     shift_levels(flow, solver, dt);
     return report;
 }

@@ -11,6 +11,9 @@
 
 namespace arenite {
 
+/// Pa/m: the settings' own and, where they want it, the weight of the fluid.
+Vec3 body_force(FluidSettings const& settings, Vec3 const& gravity);
+
 /// A flow at rest or at the settings' initial velocity, of uniform porosity, in the box (settings.box is not looked at: a
 /// wall may have cut it). Gravity enters the body force where the settings want it. Throws InputError.
 Flow make_flow(FluidSettings const& settings, Region const& box, bool with_grains, Vec3 gravity);

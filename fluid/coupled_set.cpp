@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/coupled_set.hpp"
 
+#include "core/random.hpp"
 #include "core/work_array.hpp"
 
 #include <Kokkos_Sort.hpp>
 
 namespace arenite {
 namespace {
-
-/// Mixes the bits of an id (finaliser of SplitMix64), so that sums of them tell sets apart.
-KOKKOS_FUNCTION std::uint64_t mixed(GrainId id)
-{
-    std::uint64_t bits = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15ULL;
-    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebULL;
-    return bits ^ (bits >> 31);
-}
 
 View1<GrainId> sorted_ids(CoupledSet const& set)
 {
@@ -56,7 +48,7 @@ CoupledSet coupled_set(GrainWeights const& weights, Particles const& particles, 
             prefetch(&id(later));
             set.id(entry) = id(row(entry));
             store_record(load_record(&position(row(entry), 0)), &set.position(entry, 0));
-            sum += mixed(set.id(entry));
+            sum += mix_bits(set.id(entry));
         },
         digest);
     set.digest = digest;

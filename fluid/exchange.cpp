@@ -8,12 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace arenite {
 namespace {
-
-KOKKOS_FUNCTION Real sphere_volume(Real radius) { return Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius; }
 
 /// row: [entry] of position, or empty where position is by entry itself.
 void evaluate_volume(RecordView const& position, View1<int> const& row, int entries, TableView const& volume)
@@ -64,11 +61,11 @@ void add_to_previous(Flow const& flow, Exchange const& exchange, CoupledSet cons
     Grid const grid = flow.grid;
     auto const previous = flow.porosity_previous;
     auto const solid = exchange.cell_sum;
-    Real const scale = sign / grid.cell_volume();
+    Real const scale = sign / grid.cell_volume(), least = exchange.minimum_porosity; // as the porosity itself
     Kokkos::parallel_for(
         "add_to_previous", RangePolicy(0, grid.cell_count()), KOKKOS_LAMBDA(int number) {
             Real& n = at(previous, cell_of_number(grid, number));
-            n = Kokkos::min(n + scale * solid(number, 0), Real(1));
+            n = Kokkos::clamp(n + scale * solid(number, 0), least, Real(1));
         });
 }
 

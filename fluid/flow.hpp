@@ -40,7 +40,9 @@ struct FlowReport {
     Real continuity_error = 0;    // max |dn/dt + div(n u)| * dt, dimensionless
     Real courant = 0;             // max |u| dt / dx
     Real inflow = 0, outflow = 0; // m3/s of fluid through the boundary, both >= 0
-    bool converged = true;
+    bool velocity_converged = true, pressure_converged = true;
+
+    bool converged() const { return velocity_converged && pressure_converged; }
 };
 
 } // namespace arenite

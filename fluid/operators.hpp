@@ -30,11 +30,6 @@ KOKKOS_FORCEINLINE_FUNCTION Real mean_at_cell(FieldView const& face_field, int a
     return Real(0.5) * (at(face_field, cell) + at(face_field, shifted(cell, axis, 1)));
 }
 
-KOKKOS_FORCEINLINE_FUNCTION Real difference_at_cell(FieldView const& face_field, int axis, Node const& cell, Real spacing)
-{
-    return (at(face_field, shifted(cell, axis, 1)) - at(face_field, cell)) / spacing;
-}
-
 /// Interstitial fluid velocity at a cell's centre, m/s.
 KOKKOS_FORCEINLINE_FUNCTION Vec3 velocity_at_cell(Flow const& flow, Node const& cell)
 {
@@ -60,17 +55,6 @@ KOKKOS_FORCEINLINE_FUNCTION Real divergence_at_cell(Flow const& flow, Node const
         sum += (upper - lower) / flow.grid.spacing[axis];
     }
     return sum;
-}
-
-/// Gradient of the pressure at a cell by central differences over the halo's values, Pa/m.
-KOKKOS_FORCEINLINE_FUNCTION Vec3 pressure_gradient_at_cell(Flow const& flow, Node const& cell)
-{
-    Vec3 gradient;
-    for (int axis = 0; axis < 3; ++axis)
-        gradient[axis] =
-            Real(0.5) * (difference_at_face(flow.pressure, axis, cell, flow.grid.spacing[axis]) +
-                         difference_at_face(flow.pressure, axis, shifted(cell, axis, 1), flow.grid.spacing[axis]));
-    return gradient;
 }
 
 /// d2 u_e / (dx_component dx_e) summed over the other axes e, at a face inside the box: the part of

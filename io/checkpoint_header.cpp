@@ -20,7 +20,7 @@ namespace arenite {
 namespace {
 
 constexpr std::string_view first_line = "arenite checkpoint format ";
-constexpr int format = 4;
+constexpr int format = 5;
 constexpr std::size_t least_room = 512, most_room = 1 << 20; // a stage's name may be long
 
 [[noreturn]] void refuse(std::filesystem::path const& path, std::string const& what)

@@ -20,7 +20,7 @@ void check_choice(std::vector<std::string> const& chosen, std::vector<std::strin
 
 bool is_chosen(std::vector<std::string> const& chosen, std::string const& name)
 {
-    return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
+    return std::find(chosen.begin(), chosen.end(), name) != chosen.end();
 }
 
 /// Takes the chosen arrays that have a value for each item.

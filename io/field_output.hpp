@@ -16,10 +16,10 @@ namespace arenite {
 std::vector<std::string> const& grain_fields();
 std::vector<std::string> const& fluid_fields();
 
-/// Chosen fields as a piece; an empty choice is all of them. Fields that are not known (bonds where there
-/// are no contacts, fluid force without fluid) are left out. Throws InputError for a name that is none.
-PolyPiece grain_piece(GrainSnapshot const& grains, std::vector<std::string> const& fields = {});
-ImagePiece fluid_piece(FluidSnapshot const& fluid, std::vector<std::string> const& fields = {});
+/// Chosen fields as a piece. Fields that are not known (bonds where there are no contacts, fluid force without fluid) are
+/// left out. Throws InputError for a name that is none.
+PolyPiece grain_piece(GrainSnapshot const& grains, std::vector<std::string> const& fields = grain_fields());
+ImagePiece fluid_piece(FluidSnapshot const& fluid, std::vector<std::string> const& fields = fluid_fields());
 
 /// Lengths of interleaved vectors.
 std::vector<Real> speeds(std::vector<Real> const& velocity);
@@ -44,7 +44,7 @@ private:
     std::filesystem::path folder_;
     std::optional<ResumePoint> resume_;
     std::map<std::string, PvdSeries> series_;
-    std::vector<std::string> grain_choice_, fluid_choice_;
+    std::vector<std::string> grain_choice_ = grain_fields(), fluid_choice_ = fluid_fields();
 };
 
 } // namespace arenite

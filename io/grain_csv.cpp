@@ -55,7 +55,9 @@ public:
     {
         std::string buffer;
         while (next_line(file, buffer)) {
-            std::string_view const line = trimmed(buffer);
+            std::string_view line = trimmed(buffer);
+            constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // before the first line, by spreadsheet programs
+            if (line_number_ == 1 && line.substr(0, 3) == byte_order_mark) line = trimmed(line.substr(3));
             if (line.empty() || line[0] == '#') continue;
             if (columns_.empty()) read_header(line);
             else read_grain(line);
@@ -129,7 +131,7 @@ private:
             grain.diameter = real(index, cell) * (name == "radius" ? 2 : 1);
             if (!(grain.diameter > 0)) value_fault(index, cell, "must be > 0 m");
             if (!std::isfinite(grain.diameter)) value_fault(index, cell, "is too large");
-        } else if (name == "id") grain.id = integer(index, cell, std::numeric_limits<GrainId>::max());
+        } else if (name == "id") grain.id = integer(index, cell, largest_grain_id);
         else if (name == "class") grain.size_class = static_cast<int>(integer(index, cell, 32767));
         else if (name == "held") grain.motion = flag(index, cell) ? Motion::held : Motion::free;
         else grain.material = material(index, cell);
@@ -138,6 +140,7 @@ private:
     Real real(int index, std::string_view cell)
     {
         Real value = 0;
+        if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') cell.remove_prefix(1); // as other programs write it
         auto const [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
         if (cell.empty() || error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
             value_fault(index, cell, "must be a finite number");
@@ -153,7 +156,7 @@ private:
         bool const read = !cell.empty() && error == std::errc() && end == cell.data() + cell.size();
         if (read && value >= 0 && value <= most) return value;
         value_fault(index, cell, fmt::format("must be a whole number from 0 to {}", most));
-        return 0;
+        return -1; // an id of nothing, which occurs nowhere twice
     }
 
     bool flag(int index, std::string_view cell)

@@ -6,9 +6,9 @@ namespace {
 
 std::vector<std::string> history_header(HistoryColumns const& columns)
 {
-    std::vector<std::string> names{"time",         "stage",         "step",           "grains",
-                                   "contacts",     "bonds",         "kinetic_energy", "porosity",
-                                   "coordination", "produced_mass", "produced_count", "max_overlap_ratio"};
+    std::vector<std::string> names{"time",           "stage",          "step",       "grains",           "contacts",
+                                   "bonds",          "kinetic_energy", "porosity",   "coordination",     "produced_mass",
+                                   "produced_count", "lost_mass",      "lost_count", "max_overlap_ratio"};
     for (auto const& wall : columns.walls)
         for (char const* axis : {"x", "y", "z"}) names.push_back("force_" + wall + "_" + axis);
     if (columns.fluid)
@@ -46,9 +46,9 @@ void History::add(HistoryRow const& row)
 {
     ARENITE_REQUIRE(row.wall_forces.size() == columns_.walls.size(), "one force for each wall");
     ARENITE_REQUIRE(row.extra.size() == columns_.extra.size(), "one value for each extra column");
-    std::vector<Cell> cells{row.time,         row.stage,         row.step,           row.grains,
-                            row.contacts,     row.bonds,         row.kinetic_energy, row.porosity,
-                            row.coordination, row.produced_mass, row.produced_count, row.max_overlap_ratio};
+    std::vector<Cell> cells{row.time,           row.stage,          row.step,       row.grains,           row.contacts,
+                            row.bonds,          row.kinetic_energy, row.porosity,   row.coordination,     row.produced_mass,
+                            row.produced_count, row.lost_mass,      row.lost_count, row.max_overlap_ratio};
     for (auto const& force : row.wall_forces) append_vector(cells, force);
     if (columns_.fluid) append_flow(cells, row.flow);
     for (auto const& value : row.extra) cells.emplace_back(value);

@@ -23,6 +23,8 @@ struct HistoryRow {
     std::vector<std::optional<Vec3>> wall_forces; // N, in the order of the names; none: not there
     Real produced_mass = 0;                       // kg since the start
     std::int64_t produced_count = 0;
+    Real lost_mass = 0; // kg since the start, that left the domain other than through an outlet
+    std::int64_t lost_count = 0;
     Real max_overlap_ratio = 0; // overlap / radius
     std::optional<FlowReport> flow;
     std::vector<std::optional<Real>> extra; // in the order of the extra columns

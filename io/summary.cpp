@@ -63,6 +63,7 @@ Json json_of(StageSummary const& stage)
                          {"walls", walls_of(stage)}};
     json["max_overlap_ratio"] = stage.max_overlap_ratio;
     json["produced"] = {{"mass", stage.produced_mass}, {"count", stage.produced_count}};
+    json["lost"] = {{"mass", stage.lost_mass}, {"count", stage.lost_count}};
     json["warnings"] = stage.warnings;
     json["values"] = stage.values;
     return json;
@@ -77,7 +78,8 @@ std::string finished_stages(std::filesystem::path const& folder, std::vector<std
         Json const old = Json::parse(read_file(folder / "summary.json"));
         for (std::string const& name : names)
             for (Json const& stage : old.at("stages"))
-                if (stage.at("name") == name && stage.at("ended_by") != "stopped" && stage.at("ended_by") != "")
+                if (stage.at("name") == name && stage.at("ended_by") != "stopped" && stage.at("ended_by") != "" &&
+                    stage.contains("lost")) // else an earlier version wrote it, whose checkpoints nobody reads
                     kept.push_back(stage);
     } catch (InputError const&) { // no summary yet
         return {};
@@ -99,22 +101,27 @@ std::string summary_json(RunSummary const& summary)
               {"wall_time", summary.wall_time},
               {"versions", versions()},
               {"machine", machine(summary.ranks)}};
-    Real mass = 0;
-    std::int64_t count = 0;
+    Real mass = 0, lost_mass = 0;
+    std::int64_t count = 0, lost_count = 0;
     std::map<std::string, std::int64_t> warnings;
     json["stages"] = summary.earlier_stages.empty() ? Json::array() : Json::parse(summary.earlier_stages);
     for (Json const& stage : json["stages"]) {
         mass += stage["produced"]["mass"].get<Real>();
         count += stage["produced"]["count"].get<std::int64_t>();
+        lost_mass += stage["lost"]["mass"].get<Real>();
+        lost_count += stage["lost"]["count"].get<std::int64_t>();
         for (auto const& [kind, number] : stage["warnings"].items()) warnings[kind] += number.get<std::int64_t>();
     }
     for (StageSummary const& stage : summary.stages) {
         json["stages"].push_back(json_of(stage));
         mass += stage.produced_mass;
         count += stage.produced_count;
+        lost_mass += stage.lost_mass;
+        lost_count += stage.lost_count;
         for (auto const& [kind, number] : stage.warnings) warnings[kind] += number;
     }
     json["produced"] = {{"mass", mass}, {"count", count}};
+    json["lost"] = {{"mass", lost_mass}, {"count", lost_count}};
     json["warnings"] = warnings;
     // Names come from the user's file: bytes that are no UTF-8 are replaced, not refused.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -20,7 +20,7 @@ struct WallSummary {
 
 struct StageSummary {
     std::string name;
-    std::string ended_by;    // "duration", "porosity", "interrupted", ...
+    std::string ended_by;    // "duration", "conditions met", "duration, conditions not met", "stopped"; "" while it runs
     Real wall_time = 0;      // s
     Real simulated_time = 0; // s, in this stage
     std::int64_t steps = 0;
@@ -31,6 +31,8 @@ struct StageSummary {
     Real max_overlap_ratio = 0; // overlap / radius, the largest of the stage
     Real produced_mass = 0;     // kg, in this stage
     std::int64_t produced_count = 0;
+    Real lost_mass = 0; // kg, in this stage, that left the domain other than through the outlet
+    std::int64_t lost_count = 0;
     std::vector<WallSummary> walls;
     std::map<std::string, std::int64_t> warnings; // kind -> how often: porosity_limited, overlap, lost_grains, ...
     std::map<std::string, Real> values;           // whatever else the stage has to tell

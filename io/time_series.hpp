@@ -50,7 +50,7 @@ public:
     void add(std::vector<Cell> const& row);
 
     /// Everything so far to the disk: before each checkpoint, so that no row is missing after a resume.
-    /// Between checkpoints rows reach the file at least every flush_seconds.
+    /// Before that a row reaches the file with the first one that is added flush_seconds after the last write.
     void flush();
 
     std::vector<std::string> const& columns() const { return columns_; }

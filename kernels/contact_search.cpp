@@ -345,16 +345,18 @@ int count_pairs(PairFinder const& find, int grains, View1<int> const& row_begin,
             row_begin(i) = close;
             row_begin(grains + i) = all - close;
         });
-    int total = 0;
+    std::int64_t total = 0;
     Kokkos::parallel_scan(
         "scan_pairs", RangePolicy(0, 2 * grains + 1),
-        KOKKOS_LAMBDA(int row, int& sum, bool last) {
+        KOKKOS_LAMBDA(int row, std::int64_t& sum, bool last) {
             int const count = row < 2 * grains ? row_begin(row) : 0;
-            if (last) row_begin(row) = sum;
+            if (last) row_begin(row) = static_cast<int>(sum);
             sum += count;
         },
         total);
-    return total;
+    constexpr std::int64_t most = (1 << 30) - 64; // twice a contact's number is an int
+    if (total > most) throw InputError(fmt::format("{} contacts are more than the {} that a run can have", total, most));
+    return static_cast<int>(total);
 }
 
 /// Contacts that were close when the list was built.
@@ -403,13 +405,16 @@ void set_scales(Particles const& particles, ContactList const& contacts)
 {
     ContactList const list = contacts;
     RecordView const position = particles.position, velocity = particles.velocity;
+    View1<Motion> const motion = particles.motion;
     Kokkos::parallel_for(
         "set_scales", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
             int const i = list.first(c), j = list.second(c);
             Real const ri = position(i, 3), rj = position(j, 3), mi = velocity(i, 3), mj = velocity(j, 3);
             Real const radius = ri * rj / (ri + rj);
             list.scale(c, 0) = radius;
-            list.scale(c, 1) = mi * mj / (mi + mj);
+            // A grain that no force moves takes part as a wall does, with any mass: then the restitution is the free one's.
+            bool const i_moves = motion(i) == Motion::free, j_moves = motion(j) == Motion::free;
+            list.scale(c, 1) = i_moves == j_moves ? mi * mj / (mi + mj) : i_moves ? mi : mj;
             if (list.needs.bonds) list.inverse_cube_root(c) = 1 / Kokkos::cbrt(radius);
         });
 }
@@ -545,7 +550,6 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     contacts = ContactList{};
     contacts.needs = settings.needs;
     contacts.periodic = box.any_periodic();
-    contacts.skin = skin;
     View1<GrainId> const old_id = particles.id;
     View1<int> const order = sort_grains(particles, box, settings);
     int const grains = particles.count;
@@ -599,17 +603,20 @@ void complete_list(Particles const& particles, ContactList& contacts)
     make_incidence(particles, contacts);
 }
 
-int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts)
+int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts, PairTable const& pairs)
 {
     ARENITE_REQUIRE(contacts.needs.bonds, "the contact list holds no bonds");
     ContactList const list = contacts;
     RecordView const position = particles.position;
+    View1<std::uint8_t> const material = particles.material;
     int bonds = 0;
     Kokkos::parallel_reduce(
         "form_bonds", RangePolicy(0, contacts.count),
         KOKKOS_LAMBDA(int c, int& sum) {
             int const i = list.first(c), j = list.second(c);
-            if (position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, c)) >= 0) list.adhering(c) = 1;
+            if (pairs(material(i), material(j)).bonds_at_start &&
+                position(i, 3) + position(j, 3) - norm(contact_offset(list, position, box, c)) >= 0)
+                list.adhering(c) = 1;
             sum += list.adhering(c);
         },
         bonds);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/contact_list.hpp"
+#include "core/material.hpp"
 #include "core/particles.hpp"
 
 namespace arenite {
@@ -27,8 +28,8 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
 /// The grains are in the rows that they had. Then the list goes stale when it would have.
 void complete_list(Particles const& particles, ContactList& contacts);
 
-/// Modified JKR: every contact that touches becomes a bond. Returns how many there are then.
-int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts);
+/// What touches becomes a bond, where its pair of materials bonds at the start. Returns how many bonds there are then.
+int form_bonds(Particles const& particles, PeriodicBox const& box, ContactList const& contacts, PairTable const& pairs);
 
 /// Bonds and touching contacts per grain, [grain], into Views of the owned count.
 void count_bonds(Particles const& particles, ContactList const& contacts, View1<int> const& bonds,

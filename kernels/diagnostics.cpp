@@ -10,9 +10,9 @@ struct GrainTerms {
     KOKKOS_FUNCTION Terms<7> operator()(int i) const
     {
         Vec3 const v = vector_of(velocity, i), w = vector_of(spin, i);
-        Real const mass = velocity(i, 3), radius = position(i, 3);
-        return {{Real(0.5) * mass * dot(v, v), Real(0.5) * spin(i, 3) * dot(w, w), mass,
-                 Real(4) / 3 * std::numbers::pi_v<Real> * radius * radius * radius, mass * v.x, mass * v.y, mass * v.z}};
+        Real const mass = velocity(i, 3);
+        return {{Real(0.5) * mass * dot(v, v), Real(0.5) * spin(i, 3) * dot(w, w), mass, sphere_volume(position(i, 3)),
+                 mass * v.x, mass * v.y, mass * v.z}};
     }
 };
 
@@ -29,16 +29,6 @@ GrainReport report_grains(Particles const& particles, SumWorkspace& workspace)
     report.mass = sums[2];
     report.volume = sums[3];
     report.momentum = {sums[4], sums[5], sums[6]};
-    Real highest = 0;
-    RecordView const velocity = particles.velocity;
-    Kokkos::parallel_reduce(
-        "highest_speed", RangePolicy(0, particles.count),
-        KOKKOS_LAMBDA(int i, Real& most) {
-            Vec3 const v = vector_of(velocity, i);
-            most = Kokkos::fmax(most, dot(v, v));
-        },
-        Kokkos::Max<Real>(highest));
-    report.highest_speed = Kokkos::sqrt(Kokkos::fmax(highest, Real(0)));
     return report;
 }
 

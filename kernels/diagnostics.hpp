@@ -21,7 +21,6 @@ struct GrainReport {
     Real translation = 0, rotation = 0; // kinetic energy, J
     Real mass = 0;                      // kg
     Real volume = 0;                    // m3 of grains
-    Real highest_speed = 0;             // m/s
     Vec3 momentum;                      // kg m/s
 
     Real kinetic_energy() const { return translation + rotation; }

@@ -284,9 +284,10 @@ template <class Law> struct WallEnergy {
     RecordView position, velocity;
     View1<std::uint8_t> material;
 
-    KOKKOS_FUNCTION Terms<3> operator()(int c) const
+    /// As StoredEnergy, and above the force-free state.
+    KOKKOS_FUNCTION Terms<4> operator()(int c) const
     {
-        if (!list.touching(c)) return {{0, 0, 0}};
+        if (!list.touching(c)) return {{0, 0, 0, 0}};
         int const i = list.grain(c);
         PairConstants const& pair = pairs(material(i), walls.body(walls.wall_of_element(list.element(c))).material);
         Real const radius = position(i, 3), overlap = radius - list.force(c, 3);
@@ -299,7 +300,8 @@ template <class Law> struct WallEnergy {
             Vec3 const spring = vector_of(list.spring, c);
             tangential = 4 * pair.effective_shear_modulus * list.spring(c, 3) * dot(spring, spring);
         }
-        return {{energy.elastic, energy.adhesive, tangential}};
+        Real const above = adheres ? jkr_energy(overlap, scale, pair) : energy.elastic;
+        return {{energy.elastic, energy.adhesive, tangential, above + tangential}};
     }
 };
 

@@ -17,7 +17,7 @@ void evaluate_contacts(AnyContactLaw const& law, Particles const& particles, Per
                        ContactList const& contacts, Real dt, StepGate const& gate = {});
 
 /// Of walls on grains, likewise.
-void evaluate_wall_contacts(AnyContactLaw const& law, Particles const& particles, Walls const& walls,
+void evaluate_wall_contacts(AnyContactLaw const& law, Particles const& particles, PeriodicBox const& box, Walls const& walls,
                             WallContacts const& contacts, Real dt, StepGate const& gate = {});
 
 } // namespace arenite

@@ -15,7 +15,7 @@ constexpr int turn_length = on_host ? 128 : 1;
 struct GrainStep {
     StepSettings settings;
     Real half_dt;
-    Quad time, gravity, strain_rate, box_lower;
+    Quad time, gravity, strain_rate, strain_origin;
     Real allowed_square; // m2
     Particles grains;
     ContactList contacts;
@@ -109,7 +109,7 @@ struct GrainStep {
     {
         Quad position = read(grains.position, i);
         if (motion != Motion::held) {
-            position += time * (velocity + strain_rate * (position - box_lower));
+            position += time * (velocity + strain_rate * (position - strain_origin));
             write(position, grains.position, i);
         }
         Quad const moved = position - read(contacts.reference_position, i);
@@ -198,7 +198,7 @@ GrainStep make_step(Integrator const& integrator, StepSettings const& settings, 
             three_times(settings.dt),
             quad_of(settings.gravity),
             quad_of(settings.strain_rate),
-            quad_of(settings.box_lower),
+            quad_of(settings.strain_origin),
             settings.allowed_move * settings.allowed_move,
             particles,
             contacts,

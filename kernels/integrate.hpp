@@ -28,8 +28,8 @@ struct StepSettings {
     Real dt = 0;            // s
     Vec3 gravity;           // m/s2
     Real local_damping = 0; // fraction of the unbalanced force that opposes the motion (Cundall 1987); quasi-static only
-    Vec3 strain_rate;       // 1/s, of a deforming box about box_lower (PeriodicBox)
-    Vec3 box_lower;         // m
+    Vec3 strain_rate;       // 1/s, of the flow that the grains ride on (PeriodicBox)
+    Vec3 strain_origin;     // m
     Real allowed_move = 0;  // m from the reference position before the list is stale
 };
 

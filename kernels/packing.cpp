@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace arenite {
 namespace {
@@ -16,7 +15,7 @@ namespace {
 /// Cells as wide as the largest grain: a grain overlaps only what its 27 cells hold.
 class Occupancy {
 public:
-    Occupancy(Region const& region, Real cell) : lower_(region.lower), cell_(cell)
+    Occupancy(Region const& region, Real cell) : lower_(region.lower)
     {
         Vec3 const size = region.upper - region.lower;
         for (int axis = 0; axis < 3; ++axis) cells_[axis] = std::max(1, static_cast<int>(size[axis] / cell));
@@ -55,7 +54,6 @@ private:
     std::size_t index(int i, int j, int k) const { return (static_cast<std::size_t>(k) * cells_[1] + j) * cells_[0] + i; }
 
     Vec3 lower_;
-    Real cell_;
     int cells_[3];
     Real width_[3];
     std::vector<std::vector<std::pair<Vec3, Real>>> grains_;
@@ -77,20 +75,27 @@ Vec3 random_point(Region const& region, Real radius, unsigned long long seed, st
     Real solid = 0;
     long long total = 0;
     for (SizeClass const& c : classes) {
-        solid += c.count * std::numbers::pi_v<Real> / 6 * std::pow(c.diameter, 3);
+        solid += static_cast<Real>(c.count) * sphere_volume(c.diameter / 2);
         total += c.count;
     }
     throw InputError(fmt::format("particles.distribution: {} grains are a solid fraction of {:.3f} of their region; random "
-                                 "placement without overlap stopped after {} of them (it reaches about 0.36): make the "
-                                 "region larger or the grains fewer",
+                                 "placement without overlap, in front of the walls, stopped after {} of them (it reaches "
+                                 "about 0.36): make the region larger or the grains fewer",
                                  total, solid / (size.x * size.y * size.z), placed));
 }
 
 } // namespace
 
 std::vector<Grain> pack_at_random(std::vector<SizeClass> const& classes, Region const& region, int material,
-                                  unsigned long long seed)
+                                  unsigned long long seed, std::function<bool(Vec3 const&, Real)> const& may_stand)
 {
+    for (SizeClass const& c : classes)
+        for (int axis = 0; c.count > 0 && axis < 3; ++axis)
+            if (c.diameter > region.upper[axis] - region.lower[axis])
+                throw InputError(
+                    fmt::format("particles.distribution: a grain of {:g} m has no room in a region of {:g} m along "
+                                "{}",
+                                c.diameter, region.upper[axis] - region.lower[axis], "xyz"[axis]));
     std::vector<Grain> grains;
     for (std::size_t c = 0; c < classes.size(); ++c)
         for (long long n = 0; n < classes[c].count; ++n) {
@@ -110,7 +115,7 @@ std::vector<Grain> pack_at_random(std::vector<SizeClass> const& classes, Region 
         std::uint64_t attempt = 0;
         for (; attempt < most_attempts; ++attempt) {
             grains[n].position = random_point(region, radius, seed, n, attempt);
-            if (occupancy.is_free(grains[n].position, radius)) break;
+            if (may_stand(grains[n].position, radius) && occupancy.is_free(grains[n].position, radius)) break;
         }
         if (attempt == most_attempts) fail_too_full(classes, region, n);
         occupancy.add(grains[n].position, radius);

@@ -8,16 +8,25 @@ namespace {
 
 KOKKOS_FUNCTION Leaving leaving(WallViews const& walls, int outlet, PeriodicBox const& domain, Vec3 const& x, Real radius)
 {
+    bool outside = false;
+    for (int axis = 0; axis < 3; ++axis)
+        outside = outside || (!domain.periodic[axis] && (x[axis] < domain.lower[axis] || x[axis] > domain.upper[axis]));
     if (outlet >= 0) {
         WallBody const& plate = walls.body(outlet);
         Vec3 const local = plate.pose.to_local(x);
-        if (plate.present && plate.holes > 0 &&
-            hole_passed(plate.axis, walls.hole, plate.first_hole, plate.holes, local, radius) >= 0)
-            return Leaving::produced;
+        // Where the plate is the domain's face, a grain is outside before it is wholly through.
+        auto const passed = [&](Real depth) {
+            return hole_passed(plate.axis, walls.hole, plate.first_hole, plate.holes, local, depth);
+        };
+        if (plate.present && plate.holes > 0) {
+            if (passed(radius) >= 0) return Leaving::produced;
+            int const hole = outside ? passed(0) : -1;
+            if (hole >= 0 &&
+                wall_geometry::axial_position(local - walls.hole(hole).center, plate.axis).radial < walls.hole(hole).radius)
+                return Leaving::produced;
+        }
     }
-    for (int axis = 0; axis < 3; ++axis)
-        if (!domain.periodic[axis] && (x[axis] < domain.lower[axis] || x[axis] > domain.upper[axis])) return Leaving::lost;
-    return Leaving::stays;
+    return outside ? Leaving::lost : Leaving::stays;
 }
 
 std::vector<Grain> gather_rows(Particles const& particles, std::vector<int> const& rows)

@@ -17,8 +17,8 @@ struct Departures {
 };
 
 /// Finds the grains that are wholly past an open hole of wall `outlet` (-1: none) or whose centre is outside the
-/// domain on an axis that is not periodic. Copies only those that leave to the host. keep is unallocated
-/// when none does.
+/// domain on an axis that is not periodic (produced if it is in the hole then, else lost). Copies only those that leave to
+/// the host. keep is unallocated when none does.
 Departures find_departures(Particles const& particles, PeriodicBox const& domain, Walls const& walls, int outlet);
 
 } // namespace arenite

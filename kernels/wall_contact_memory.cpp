@@ -63,14 +63,12 @@ WallContacts restore_wall_contacts(std::map<std::string, std::vector<Real>> cons
     for (auto const& [name, width] : widths)
         if (arrays.at(name).size() != width * contacts.count)
             throw InputError("checkpoint: wall contacts: the array '" + name + "' has a wrong length");
-    if (arrays.count("reference_pose") > 0) {
-        constexpr std::size_t numbers = 12;
-        std::vector<Real> const& poses = arrays.at("reference_pose");
-        for (std::size_t begin = 0; begin + numbers <= poses.size(); begin += numbers) {
-            WallPose& pose = contacts.reference_pose.emplace_back();
-            for (int axis = 0; axis < 3; ++axis) pose.position[axis] = poses[begin + axis];
-            std::copy_n(poses.begin() + static_cast<std::ptrdiff_t>(begin) + 3, 9, pose.rotation);
-        }
+    constexpr std::size_t numbers = 12;
+    std::vector<Real> const& poses = arrays.at("reference_pose");
+    for (std::size_t begin = 0; begin + numbers <= poses.size(); begin += numbers) {
+        WallPose& pose = contacts.reference_pose.emplace_back();
+        for (int axis = 0; axis < 3; ++axis) pose.position[axis] = poses[begin + axis];
+        std::copy_n(poses.begin() + static_cast<std::ptrdiff_t>(begin) + 3, 9, pose.rotation);
     }
     contacts.id = unflatten<View1<GrainId>>(arrays.at("id"), "wall_contact_id");
     contacts.element = unflatten<View1<int>>(arrays.at("element"), "wall_contact_element");

@@ -163,13 +163,13 @@ void check_key_ranges(Particles const& particles, Walls const& walls)
 {
     ARENITE_REQUIRE(walls.count() <= 256, "a scene has at most 256 walls");
     for (WallBody const& body : walls.body)
-        ARENITE_REQUIRE(body.elements <= 1 << 22, "a mesh has at most 4 194 304 triangles");
+        ARENITE_REQUIRE(body.elements <= most_mesh_triangles, "append_mesh lets no larger mesh pass");
     GrainId largest = 0;
     View1<GrainId> const id = particles.id;
     Kokkos::parallel_reduce(
         "largest_id", RangePolicy(0, particles.count),
         KOKKOS_LAMBDA(int i, GrainId& most) { most = id(i) > most ? id(i) : most; }, Kokkos::Max<GrainId>(largest));
-    ARENITE_REQUIRE(largest < GrainId(1) << 34, "grain ids end at 1.7e10");
+    ARENITE_REQUIRE(largest <= largest_grain_id, "who makes grains lets no larger id pass");
 }
 
 /// Rows where floor(id / 2^shift) or the wall changes, and the row count at the end: [boundaries + 1].
@@ -217,7 +217,6 @@ void search_wall_contacts(Particles const& particles, Walls const& walls, Real s
     WallContacts const old = contacts;
     contacts = WallContacts{};
     contacts.needs = needs;
-    contacts.skin = skin;
     contacts.block_sum = old.block_sum;
     contacts.superblock_sum = old.superblock_sum;
     contacts.begin = View1<int>("wall_contact_begin", particles.count + 1);
@@ -256,6 +255,24 @@ void complete_wall_contacts(Particles const& particles, Walls const& walls, Wall
     contacts.begin = to_device(begin, "wall_contact_begin");
     contacts.contact = to_device(order, "wall_contact_of_grain");
     find_blocks(walls, contacts);
+}
+
+void form_wall_bonds(Particles const& particles, Walls const& walls, WallContacts const& contacts, PairTable const& pairs)
+{
+    ARENITE_REQUIRE(contacts.needs.bonds, "the list of wall contacts holds no bonds");
+    WallContactRows const list = contacts;
+    WallViews const views = walls.views;
+    RecordView const position = particles.position;
+    View1<std::uint8_t> const material = particles.material;
+    Kokkos::parallel_for(
+        "form_wall_bonds", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
+            int const i = list.grain(c), element = list.element(c);
+            WallBody const& body = views.body(views.wall_of_element(element));
+            if (!pairs(material(i), body.material).bonds_at_start) return;
+            Real side = list.normal(c, 3);
+            WallProximity const p = wall_proximity(views, body, element, vector_of(position, i), position(i, 3), side);
+            if (p.faces && p.distance <= position(i, 3)) list.adhering(c) = 1;
+        });
 }
 
 } // namespace arenite

@@ -4,6 +4,7 @@
 // order of elements. Memory of a contact (spring, side, adhesion) is keyed by (grain id, element).
 #pragma once
 
+#include "core/material.hpp"
 #include "core/particles.hpp"
 #include "core/walls.hpp"
 #include "kernels/integrate.hpp"
@@ -14,7 +15,6 @@ namespace arenite {
 struct WallContactRows {
     int count = 0; // rows
     ContactNeeds needs;
-    Real skin = 0; // m: rows for gaps below it
 
     View1<int> grain;             // [row] row of the grain
     View1<GrainId> id;            // [row] its id
@@ -52,6 +52,9 @@ void search_wall_contacts(Particles const& particles, Walls const& walls, Real s
 /// Gives a list that came out of a checkpoint what follows from the grains' rows. Throws InputError for a contact of a
 /// grain that is not there.
 void complete_wall_contacts(Particles const& particles, Walls const& walls, WallContacts& contacts);
+
+/// What touches a wall becomes a bond, where its pair of materials bonds at the start.
+void form_wall_bonds(Particles const& particles, Walls const& walls, WallContacts const& contacts, PairTable const& pairs);
 
 inline WallForceRows force_rows(WallContacts const& contacts) { return {contacts.begin, contacts.contact, contacts.force}; }
 

@@ -20,7 +20,7 @@ struct WallContactLanes {
 struct WallSurface {
     Vector<Lanes> normal;         // unit, towards the grain
     Lanes distance;               // m, of the grain's centre
-    Vector<Lanes> velocity, spin; // at the contact, m/s; rad/s
+    Vector<Lanes> velocity, spin; // at the contact, m/s, less that of the flow that the grain rides on; rad/s
 };
 
 /// Rows that go on touching a wall that is not flat, until there are lane_count of them.
@@ -29,12 +29,14 @@ struct WallContactBatch : WallContactLanes {
     Real normal[3][lane_count], distance[lane_count];
     Real wall_velocity[3][lane_count], wall_spin[3][lane_count]; // at the contact, m/s; rad/s
 
-    KOKKOS_FUNCTION void add(int c, int i, int materials, WallProximity const& p, WallPose const& pose, Vec3 const& x)
+    /// flow [m/s]: that the grain rides on.
+    KOKKOS_FUNCTION void add(int c, int i, int materials, WallProximity const& p, WallPose const& pose, Vec3 const& x,
+                             Vec3 const& flow)
     {
         int const n = lane_count > 1 ? count : 0; // a device keeps arrays with constant places in registers
         ++count;
         row[n] = c, grain[n] = i, pair[n] = materials, distance[n] = p.distance;
-        Vec3 const velocity = pose.velocity_at(x - p.distance * p.normal);
+        Vec3 const velocity = pose.velocity_at(x - p.distance * p.normal) - flow;
         for (int axis = 0; axis < 3; ++axis) {
             normal[axis][n] = p.normal[axis];
             wall_velocity[axis][n] = velocity[axis];
@@ -72,6 +74,7 @@ template <class Law> struct WallContactEvaluation {
     WallViews walls;
     RecordView position, velocity, spin;
     View1<std::uint8_t> material;
+    PeriodicBox box;
     Real dt;
     StepGate gate = {};
 
@@ -122,6 +125,7 @@ template <class Law> struct WallContactEvaluation {
             if constexpr (Law::adheres) touches = touches || adhering(at);
             if (!touched && !any(touches)) continue;
             wall.velocity = moves + cross(wall.spin, from_origin - wall.distance * wall.normal);
+            if (box.deforms()) wall.velocity -= box.stretch_velocity(grains.xyz - in_all_lanes(box.strain_origin));
             // Which code a row takes depends on its wall and the stage, not on the rows beside it.
             if (law.pairs.shared >= 0) {
                 int const grains_material = law.pairs.shared / law.pairs.materials;
@@ -170,7 +174,8 @@ template <class Law> struct WallContactEvaluation {
             else if (touched) list.touching(c) = ended, ++done;
         }
         if (begun + done == 0) return;
-        if (begun > 0 && Law::has_history && last - first > 1 && body.shape == WallShape::mesh) hand_over(first, last);
+        if constexpr (Law::has_history || Law::adheres)
+            if (done > 0 && last - first > 1 && body.shape == WallShape::mesh) hand_over(first, last, body);
         for (int c = first; c < last; ++c) {
             if (list.touching(c) == ended) clear(c);
             if (list.touching(c) != begins) continue;
@@ -183,7 +188,9 @@ template <class Law> struct WallContactEvaluation {
     KOKKOS_FUNCTION void add(int c, WallBody const& body, WallProximity const& p, WallContactBatch& batch) const
     {
         int const i = list.grain(c);
-        batch.add(c, i, law.pairs.index(material(i), body.material), p, body.pose, vector_of(position, i));
+        Vec3 const x = vector_of(position, i);
+        batch.add(c, i, law.pairs.index(material(i), body.material), p, body.pose, x,
+                  box.stretch_velocity(x - box.strain_origin));
         if (batch.count < lane_count) return;
         evaluate(batch);
         batch.count = 0;
@@ -201,19 +208,51 @@ template <class Law> struct WallContactEvaluation {
         return p;
     }
 
-    KOKKOS_FUNCTION void hand_over(int first, int last) const
+    /// What a grain has left remembers its contact where it goes on: on the facet that it touches now or, stretched, on the
+    /// one that it faces and that is nearest.
+    KOKKOS_FUNCTION void hand_over(int first, int last, WallBody const& body) const
     {
         for (int c = first; c < last; ++c) {
             if (list.touching(c) != begins) continue;
             for (int from = first; from < last; ++from) {
                 if (list.touching(from) != ended) continue;
-                for (int n = 0; n < 3; ++n) list.normal(c, n) = list.normal(from, n);
-                if constexpr (Law::has_history)
-                    for (int n = 0; n < 4; ++n) list.spring(c, n) = list.spring(from, n);
-                clear(from);
+                move_memory(from, c);
                 break;
             }
         }
+        if constexpr (Law::adheres)
+            for (int from = first; from < last; ++from) {
+                if (list.touching(from) != ended || !list.adhering(from)) continue;
+                int const c = nearest_free(first, last, body);
+                if (c < 0) continue;
+                move_memory(from, c);
+                list.touching(c) = begins;
+            }
+    }
+
+    /// Of the rows that carry nothing and are faced by the grain, or -1.
+    KOKKOS_FUNCTION int nearest_free(int first, int last, WallBody const& body) const
+    {
+        int nearest = -1;
+        Real least = 0;
+        for (int c = first; c < last; ++c) {
+            if (list.touching(c) != no) continue;
+            bool touches = false;
+            WallProximity const p = look(c, body, touches);
+            if (!p.faces || (nearest >= 0 && !(p.distance < least))) continue;
+            nearest = c;
+            least = p.distance;
+        }
+        return nearest;
+    }
+
+    KOKKOS_FUNCTION void move_memory(int from, int to) const
+    {
+        for (int n = 0; n < 3; ++n) list.normal(to, n) = list.normal(from, n);
+        if constexpr (Law::adheres) list.adhering(to) = list.adhering(from);
+        if constexpr (Law::has_history)
+            for (int n = 0; n < 4; ++n) list.spring(to, n) = list.spring(from, n);
+        clear(from);
     }
 
     KOKKOS_FUNCTION void clear(int c) const

@@ -34,13 +34,15 @@ void make_coupled_pack(int grains, std::array<int, 3> const& cells, NormalLaw la
     ContactSettings contact;
     contact.normal = law;
     if (law == NormalLaw::jkr) contact.break_point = BreakPoint::S;
-    pack.planned.pairs = pack.planned.wall_pairs = {make_pair(sand, sand, contact)};
+    PairConstants pair = make_pair(sand, sand, contact);
+    pair.bonds_at_start = law == NormalLaw::jkr;
+    pack.planned.pairs = pack.planned.wall_pairs = {pair};
     pack.forces = make_stage_forces(pack.planned, -1, state);
     pack.step.dt = CoupledPack::grain_dt;
     pack.step.allowed_move = 1; // the list lasts: nothing moves far in the steps that are timed
     pack.search = {3e-5, pack.forces.needs, {}};
     search_contacts(state.particles, state.box, pack.search, state.contacts);
-    if (pack.forces.needs.bonds) form_bonds(state.particles, state.box, state.contacts);
+    if (pack.forces.form_bonds) pack.forces.form_bonds();
     FluidState& fluid = pack.fluid;
     FluidSettings const settings = fluid_of(cells);
     fluid.flow = make_flow(settings, Region{lattice.lower, lattice.upper}, true, {});

@@ -6,7 +6,7 @@ if("checkpoint_hdf5.cpp" IN_LIST output_sources) # what it compares are checkpoi
   set_tests_properties(run_small_scene PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 endif()
 
-arenite_test(test_driver unit unit/test_stop_signal.cpp unit/test_stage_plan.cpp LINK arenite_driver)
+arenite_test(test_driver unit unit/test_stop_signal.cpp unit/test_stage_plan.cpp unit/test_sample.cpp LINK arenite_driver)
 target_include_directories(test_driver PRIVATE ${PROJECT_SOURCE_DIR})
 
 arenite_test(refuse_bad_scenes smoke smoke/refuse_bad_scenes.cpp unit/scene_keys.cpp LINK arenite_driver)

@@ -67,10 +67,12 @@ struct WallScene {
     WallContacts wall_contacts;
     Real skin = 0, time = 0;
     int searches = 0;
+    ContactNeeds needs{true, false};
     std::vector<WallReaction> reactions; // at the last servo look
 
     WallScene(std::vector<Grain> const& grains, std::vector<WallSettings> const& wall_settings,
-              MaterialSettings const& material, std::map<std::string, std::vector<Triangle>> const& meshes = {})
+              MaterialSettings const& material, std::map<std::string, std::vector<Triangle>> const& meshes = {},
+              ContactSettings const& contact = {})
     {
         particles = make_particles(grains, {material.density});
         Real smallest = 1, extent = 1;
@@ -78,14 +80,15 @@ struct WallScene {
         box.lower = {-extent, -extent, -extent};
         box.upper = {extent, extent, extent};
         walls = make_walls(wall_settings, {{"sand"}, box.lower, box.upper, meshes});
-        ContactSettings contact;
-        law = make_contact_law({make_pair(material, material, contact)});
+        PairConstants pair = make_pair(material, material, contact);
+        pair.bonds_at_start = contact.normal == NormalLaw::modified_jkr;
+        law = make_contact_law({pair});
+        needs.bonds = pair.surface_energy > 0;
         skin = smallest / 4;
     }
 
     void search()
     {
-        ContactNeeds const needs{true, false};
         search_contacts(particles, box, {skin, needs, {}}, contacts);
         search_wall_contacts(particles, walls, skin, needs, wall_contacts);
         ++searches;
@@ -104,7 +107,7 @@ struct WallScene {
     void evaluate()
     {
         evaluate_contacts(law, particles, box, contacts, settings.dt);
-        evaluate_wall_contacts(law, particles, walls, wall_contacts, settings.dt);
+        evaluate_wall_contacts(law, particles, box, walls, wall_contacts, settings.dt);
     }
 
     void step()

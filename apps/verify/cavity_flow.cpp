@@ -106,7 +106,7 @@ Cavity march_to_steady_state(FluidCase& c, int n, Real reynolds, Real still)
         FlowReport const report = c.steps(steps, Real(1) / steps);
         std::vector<Real> const after = state_of(c);
         Cavity cavity = center_lines(c, n);
-        cavity.converged = report.converged;
+        cavity.converged = report.converged();
         cavity.leak = report.inflow + report.outflow;
         cavity.duration = units;
         std::size_t const velocities = 2 * c.flow.velocity[0].size();

@@ -9,7 +9,7 @@ FlowReport CoupledCase::exchange_step(Real dt)
     deposit_drag(fluid.flow, exchange, grains.particles, dt);
     FlowReport const report = fluid.step(dt);
     evaluate_fluid_force(fluid.flow, fluid.solver, exchange, grains.particles);
-    converged = converged && report.converged;
+    converged = converged && report.converged();
     return report;
 }
 

@@ -7,11 +7,9 @@
 #include "apps/verify/grain_system.hpp"
 #include "fluid/exchange.hpp"
 
-#include <numbers>
-
 namespace arenite {
 
-inline Real sphere_volume_of(Real diameter) { return std::numbers::pi_v<Real> / 6 * diameter * diameter * diameter; }
+inline Real sphere_volume_of(Real diameter) { return sphere_volume(diameter / 2); }
 
 struct CoupledSettings {
     FluidSettings fluid; // its box is set

@@ -15,7 +15,10 @@ std::vector<PairConstants> all_pairs(SystemSettings const& settings)
 {
     std::vector<PairConstants> pairs;
     for (MaterialSettings const& a : settings.materials)
-        for (MaterialSettings const& b : settings.materials) pairs.push_back(make_pair(a, b, settings.contact));
+        for (MaterialSettings const& b : settings.materials) {
+            pairs.push_back(make_pair(a, b, settings.contact));
+            pairs.back().bonds_at_start = settings.start_bonded && pairs.back().surface_energy > 0;
+        }
     return pairs;
 }
 
@@ -25,7 +28,7 @@ StepSettings step_settings(SystemSettings const& settings)
     step.dt = settings.dt;
     step.gravity = settings.gravity;
     step.strain_rate = settings.box.strain_rate;
-    step.box_lower = settings.box.lower;
+    step.strain_origin = settings.box.lower;
     step.allowed_move = settings.skin / 2;
     return step;
 }
@@ -64,7 +67,7 @@ GrainSystem make_system(SystemSettings const& settings)
     for (MaterialSettings const& material : settings.materials) densities.push_back(material.density);
     system.particles = make_particles(settings.grains, densities);
     rebuild(system);
-    if (settings.start_bonded) form_bonds(system.particles, settings.box, system.contacts);
+    if (settings.start_bonded) form_bonds(system.particles, settings.box, system.contacts, pair_table(system.law));
     // The forces at the start: no time has passed, so springs stay as they are.
     Real const dt = system.settings.dt;
     system.settings.dt = 0;

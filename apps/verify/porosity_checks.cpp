@@ -118,7 +118,7 @@ std::vector<VerifyCase> check_moving_porosity()
                     throughput += std::fabs(change);
                 }
         worst = std::fmax(worst, std::fabs(gain - report.inflow + report.outflow) / throughput);
-        converged = converged && report.converged;
+        converged = converged && report.converged();
     }
     std::string const name = "F7 porosity waves, open top, 20 steps";
     return {compare_error({name, "|sum dn/dt V + net outflow| / throughput", "closed form: 0 in every step"}, worst, 1e-12),

@@ -55,7 +55,7 @@ VortexErrors run_vortices(int n, int steps, Real nu)
     Real const eu = errors_of(c.flow.grid, c.flow.velocity[0], 0, u(1)).rms;
     Real const ev = errors_of(c.flow.grid, c.flow.velocity[1], 1, v(1)).rms;
     return {std::hypot(eu, ev), errors_of(c.flow.grid, c.flow.pressure, -1, p(1)).rms, kinetic_energy(c) / energy,
-            report.continuity_error / dt, report.converged};
+            report.continuity_error / dt, report.converged()};
 }
 
 } // namespace

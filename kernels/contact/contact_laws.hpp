@@ -32,6 +32,11 @@ inline AnyContactLaw make_contact_law(std::vector<PairConstants> const& pairs, i
     return SmoothSand{table};
 }
 
+inline PairTable const& pair_table(AnyContactLaw const& law)
+{
+    return std::visit([](auto const& chosen) -> PairTable const& { return chosen.pairs; }, law);
+}
+
 /// What the law wants remembered of its contacts. A law that did not keep the contact radius in an earlier stage begins
 /// with contacts whose radius is not known: their springs follow it from their second step on. keeps_balance: of energies,
 /// whose sheet takes the radius in place of running the normal law a second time.

@@ -174,6 +174,38 @@ TEST(Stability, TenThousandBondsBreakInOneStep)
                 0.02); // one step beyond C
 }
 
+// Grains of a checkpoint are of the materials that they were of, wherever the scene that takes them has those.
+TEST(Stability, GrainsOfACheckpointKeepTheirMaterials)
+{
+    if (!can_write_checkpoints()) GTEST_SKIP() << "a build without HDF5";
+    auto const material = [](char const* name, char const* density) {
+        return std::string("[materials.") + name + "]\ndensity = " + density +
+               "\nyoungs_modulus = 2e10\npoissons_ratio = 0.3\nrestitution = 0.8\nfriction = 0.2\n";
+    };
+    std::string const light = material("light", "1000"), heavy = material("heavy", "8000"),
+                      stage = stage_of("1e-6", "time_step = 1e-8", "law = \"hertz\"");
+    HardRun const first =
+        run_hard(box_of(0.01, false) + light + heavy + "[particles]\nsource = \"file\"\nfile = \"grains.csv\"\n" + stage,
+                 "x, y, z, diameter, material\n2e-3, 5e-3, 5e-3, 2e-4, light\n8e-3, 5e-3, 5e-3, 2e-4, heavy\n");
+    ASSERT_EQ(first.exit_code, 0) << first.messages;
+    std::string const file = list_checkpoints(first.folder / "out").back().string(),
+                      taken = "[particles]\nsource = \"checkpoint\"\nfile = \"" + file + "\"\n" + stage +
+                              "gravity = [0, 0, -1e4]\n";
+    auto const heavy_grain_in = [&](std::string const& materials) {
+        HardRun const run =
+            run_hard(box_of(0.01, false) + materials + taken +
+                     "[[stages.walls]]\nwall = \"floor\"\n[[walls]]\nname = \"floor\"\ntype = \"plane\"\nmaterial "
+                     "= \"light\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n");
+        EXPECT_EQ(run.exit_code, 0) << run.messages;
+        return number(run.end(), "kinetic_energy");
+    };
+    double const energy = heavy_grain_in(light + heavy);
+    double const volume = 3.14159265358979 / 6 * 8e-12, speed = 1e4 * 1e-6;
+    EXPECT_NEAR(energy, 9000 * volume * speed * speed / 2, 1e-9 * energy);
+    EXPECT_EQ(heavy_grain_in(heavy + light), energy);
+    EXPECT_NE(run_hard(box_of(0.01, false) + light + taken).messages.find("is of material heavy"), std::string::npos);
+}
+
 // H13: a force that is no number stops the run with one message; what was saved stays.
 TEST(Stability, ForceBeyondAllNumbersStopsTheRun)
 {
@@ -190,6 +222,8 @@ TEST(Stability, ForceBeyondAllNumbersStopsTheRun)
     auto const checkpoints = list_checkpoints(run.folder / "out");
     ASSERT_FALSE(checkpoints.empty());
     EXPECT_EQ(CheckpointReader(checkpoints.back()).stamp().step, 100);
+    EXPECT_GE(run.history.size(), 2u) << "the rows before are what one wants to see";
+    EXPECT_EQ(run.end().at("stage"), "second");
 }
 
 // H14: two bonded grains fall through a hole: each is counted once, and the mass that is missing is in the ledger.

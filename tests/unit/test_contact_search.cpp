@@ -279,7 +279,7 @@ TEST(ContactSearch, BondsAndCoordinationAreCounted)
         EXPECT_EQ(host(row), expected[id(row)]);
         EXPECT_EQ(touching(row), expected[id(row)]);
     }
-    EXPECT_EQ(form_bonds(system.particles, system.settings.box, system.contacts), 2);
+    EXPECT_EQ(form_bonds(system.particles, system.settings.box, system.contacts, pair_table(system.law)), 2);
 }
 
 } // namespace

@@ -137,7 +137,7 @@ TEST(FlowBoundary, PeriodicBoxTakesAStepOfAnyLength)
         set_field(c.flow.grid, field, -1, [](Vec3 x) { return 0.6 + 0.2 * std::sin(2 * pi * x.x / 1e-3 + 0.1); });
     FlowReport report;
     EXPECT_NO_THROW(report = c.steps(3, 1e4));
-    EXPECT_TRUE(report.converged);
+    EXPECT_TRUE(report.converged());
 }
 
 TEST(FlowBoundary, ClosedBoxThatGainsPorosityStops)

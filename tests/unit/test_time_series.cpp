@@ -101,10 +101,11 @@ TEST(History, ColumnsFollowFromTheSceneAndMissingValuesAreEmpty)
     history.flush();
     EXPECT_EQ(content_of(folder / "history.csv"),
               "time,stage,step,grains,contacts,bonds,kinetic_energy,porosity,coordination,produced_mass,produced_count,"
-              "max_overlap_ratio,force_lid_x,force_lid_y,force_lid_z,pressure_iterations,pressure_residual,continuity_error,"
+              "lost_mass,lost_count,max_overlap_ratio,force_lid_x,force_lid_y,force_lid_z,pressure_iterations,pressure_"
+              "residual,continuity_error,"
               "courant,inflow,outflow,probe_p\n"
-              "0.5,fill,100,3,0,0,0,,,0,0,0,1,2,3,,,,,,,\n"
-              "0.5,fill,100,3,0,0,0,0.41,,0,0,0,,,,4,1e-09,1e-12,0.5,2,3,\n");
+              "0.5,fill,100,3,0,0,0,,,0,0,0,0,0,1,2,3,,,,,,,\n"
+              "0.5,fill,100,3,0,0,0,0.41,,0,0,0,0,0,,,,4,1e-09,1e-12,0.5,2,3,\n");
 }
 
 TEST(ProducedLedger, ResumeKeepsGrainsUpToTheCheckpointsTimeExactly)

@@ -214,5 +214,110 @@ TEST(WallContacts, AbsentWallsDoNotTouch)
     EXPECT_EQ(save_wall_contacts(scene.wall_contacts).at("touching")[0], 1);
 }
 
+/// A grain of 1 mm that is pressed into the plane z = 0 by a tenth of a percent.
+Grain resting_grain(Vec3 const& velocity = {}) { return grain({0, 0, 0.4995e-3}, 1e-3, velocity); }
+
+Vec3 force_on_the_grain(WallScene const& scene)
+{
+    auto const rows = Kokkos::create_mirror_view_and_copy(HostSpace(), scene.wall_contacts.force);
+    Vec3 sum;
+    for (int c = 0; c < scene.wall_contacts.count; ++c) sum += Vec3{rows(c, 0), rows(c, 1), rows(c, 2)};
+    return sum;
+}
+
+TEST(WallContacts, AGrainThatRidesWithAWallIsNotHitByIt)
+{
+    Real const strain_rate = -200, origin = 0.3; // 1/s; m
+    auto const force_with = [&](bool rides, Vec3 const& own_velocity) {
+        WallScene scene({resting_grain(own_velocity)}, {plane({0, 0, 0}, {0, 0, 1})}, sand());
+        WallAction action;
+        action.wall = "plane";
+        Real const flow = strain_rate * (0.4995e-3 - origin); // where the grain is
+        action.velocity = Vec3{0, 0, flow};
+        if (rides) {
+            scene.box.strain_rate.z = strain_rate;
+            scene.box.strain_origin.z = origin;
+        }
+        scene.start(1e-7, {}, {action});
+        return force_on_the_grain(scene).z;
+    };
+    WallScene still({resting_grain()}, {plane({0, 0, 0}, {0, 0, 1})}, sand());
+    still.start(1e-7, {});
+    Real const at_rest = force_on_the_grain(still).z;
+    EXPECT_NEAR(force_with(true, {}), at_rest, 1e-12 * at_rest);
+    EXPECT_GT(force_with(false, {}), 2 * at_rest) << "the wall comes at 60 m/s";
+    EXPECT_NEAR(force_with(false, {0, 0, strain_rate * (0.4995e-3 - origin)}), at_rest, 1e-12 * at_rest);
+}
+
+MaterialSettings sticky_sand()
+{
+    MaterialSettings material = sand();
+    material.surface_energy = 5;
+    return material;
+}
+
+ContactSettings law_of(NormalLaw normal)
+{
+    ContactSettings contact;
+    contact.normal = normal;
+    contact.damping = DampingLaw::none;
+    contact.break_point = normal == NormalLaw::jkr ? BreakPoint::S : BreakPoint::C;
+    return contact;
+}
+
+TEST(WallContacts, ModifiedJkrBondsWhatTouchesAtTheStartAndNothingLater)
+{
+    auto const force_after = [&](bool bonded) {
+        WallScene scene({resting_grain()}, {plane({0, 0, 0}, {0, 0, 1})}, sticky_sand(), {},
+                        law_of(NormalLaw::modified_jkr));
+        scene.settings.dt = 1e-9;
+        scene.search();
+        if (bonded) form_wall_bonds(scene.particles, scene.walls, scene.wall_contacts, pair_table(scene.law));
+        scene.evaluate();
+        return force_on_the_grain(scene).z;
+    };
+    PairConstants const pair = make_pair(sticky_sand(), sticky_sand(), law_of(NormalLaw::jkr));
+    Real const overlap = 0.0005e-3, radius = 0.5e-3;
+    Real const jkr = jkr_response(overlap, ContactScale<>{radius, 1, 1 / std::cbrt(radius)}, pair).force,
+               hertz = hertz_response(overlap, radius, pair.effective_youngs_modulus).force;
+    EXPECT_NEAR(force_after(true), jkr, 1e-12 * std::fabs(jkr));
+    EXPECT_NEAR(force_after(false), hertz, 1e-9 * hertz);
+    EXPECT_LT(jkr, 0.5 * hertz);
+}
+
+TEST(WallContacts, AStretchedContactGoesOnWithTheNextFacet)
+{
+    // A flat square of two facets; the grain hangs below its force-free overlap and slides over their common edge.
+    Vec3 const a{-1e-3, -1e-3, 0}, b{1e-3, -1e-3, 0}, c{1e-3, 1e-3, 0}, d{-1e-3, 1e-3, 0};
+    WallSettings mesh;
+    mesh.name = "mesh";
+    mesh.material = "sand";
+    mesh.shape = WallShape::mesh;
+    MaterialSettings material = sticky_sand();
+    material.friction = 0;
+    PairConstants const pair = make_pair(material, material, law_of(NormalLaw::jkr));
+    Real const radius = 0.5e-3, stretch = 0.5 * pair.break_overlap * pair.length_factor * std::cbrt(radius); // m, < 0
+    WallScene scene({grain({0.1e-3, -0.1e-3, 0.4995e-3}, 1e-3)}, {mesh}, material, {{"mesh", {{{a, b, c}}, {{a, c, d}}}}},
+                    law_of(NormalLaw::jkr));
+    scene.settings.dt = 1e-9;
+    scene.search();
+    scene.evaluate(); // it touches and sticks
+    auto const move_to = [&](Vec3 const& x) {
+        auto const position = Kokkos::create_mirror_view_and_copy(HostSpace(), scene.particles.position);
+        set_vector(position, 0, x);
+        Kokkos::deep_copy(scene.particles.position, position);
+        scene.evaluate();
+        return force_on_the_grain(scene).z;
+    };
+    Real const expected = jkr_response(stretch, ContactScale<>{radius, 1, 1 / std::cbrt(radius)}, pair).force;
+    ASSERT_LT(expected, 0);
+    Real const height = radius - stretch;
+    EXPECT_NEAR(move_to({0.1e-3, -0.1e-3, height}), expected, 1e-9 * -expected);
+    EXPECT_NEAR(move_to({-0.1e-3, 0.1e-3, height}), expected, 1e-9 * -expected) << "on the other facet";
+    EXPECT_NEAR(move_to({0.1e-3, -0.1e-3, height}), expected, 1e-9 * -expected) << "and back";
+    EXPECT_EQ(move_to({0.1e-3, -0.1e-3, 2 * radius}), 0) << "broken";
+    EXPECT_EQ(move_to({0.1e-3, -0.1e-3, height}), 0) << "apart, nothing holds it";
+}
+
 } // namespace
 } // namespace arenite
