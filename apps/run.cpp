@@ -131,6 +131,9 @@ int run_scene(RunOptions const& options)
     StagePlan const plan = make_stage_plan(scene);
     Until const until = parse_until(options.until, scene);
     fs::path const folder = folder_of(options);
+    std::error_code unknown;
+    if (fs::exists(folder, unknown) && !fs::is_directory(folder, unknown))
+        throw InputError(fmt::format("-o {}: is a file; the results need a folder", folder.string()));
     RunState state = options.resume ? resumed_state(options, folder, scene, plan) : make_run_state(scene);
     for (std::string const& message : left_out_messages()) std::fputs((message + "\n").c_str(), stderr);
 

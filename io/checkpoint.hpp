@@ -73,7 +73,7 @@ public:
     CheckpointReader& operator=(CheckpointReader const&) = delete;
 
     CheckpointStamp const& stamp() const;
-    void require_scene(std::uint64_t hash) const; // throws if it was written for another scene
+    void require_scene(std::uint64_t hash) const; // throws if it was written for another scene; 0: one without its stage
 
     bool has(std::string const& name) const;
     std::vector<std::string> names() const; // all, sorted

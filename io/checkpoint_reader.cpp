@@ -89,6 +89,9 @@ CheckpointStamp const& CheckpointReader::stamp() const { return file_->header.st
 void CheckpointReader::require_scene(std::uint64_t hash) const
 {
     if (hash == file_->header.stamp.scene_hash) return;
+    if (hash == 0)
+        file_->fail(
+            fmt::format("was written in the stage \"{}\", which this scene does not have", file_->header.stamp.stage));
     file_->fail(fmt::format(
         "was written for another scene: what made the state differs from this scene, or the files that the scenes "
         "name do (hash {:016x}, this scene's {:016x}); only stages that have not begun, the duration and end of the stage "

@@ -40,8 +40,11 @@ Fields wall_fields(WallSettings& w)
         required(only_when(of_box, box, {"upper", &w.box.upper, "m", "upper corner"})),
         only_when(has_inside, "type = \"cylinder\" or \"box\"",
                   {"inside", &w.inside, "", "true: a tube or vessel with the grains inside; false: a rod or block"}),
-        required(only_when(of_mesh, mesh,
-                           {"file", &w.file, "", "STL file, relative to the scene file; normals point to the grains"})),
+        required(only_when(
+            of_mesh, mesh,
+            {"file", &w.file, "",
+             "STL file, relative to the scene file; corners go counter-clockwise seen from the grains (the normals that "
+             "the file writes are not looked at)"})),
         only_when(of_mesh, mesh, {"scale", &w.scale, "", "of the file's lengths: 0.001 for a file in mm", positive()}),
         only_when(of_mesh, mesh, {"offset", &w.offset, "m", "added after scaling"}),
     };
