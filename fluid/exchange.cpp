@@ -65,7 +65,7 @@ void add_to_previous(Flow const& flow, Exchange const& exchange, CoupledSet cons
     Kokkos::parallel_for(
         "add_to_previous", RangePolicy(0, grid.cell_count()), KOKKOS_LAMBDA(int number) {
             Real& n = at(previous, cell_of_number(grid, number));
-            n = Kokkos::clamp(n + scale * solid(number, 0), least, Real(1));
+            n = Kokkos::max(least, Kokkos::min(n + scale * solid(number, 0), Real(1)));
         });
 }
 
