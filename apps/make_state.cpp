@@ -53,6 +53,17 @@ Region fluid_box(Scene const& scene, RunState const& state)
     return box;
 }
 
+/// Whoever takes more memory than there is gets killed without a word.
+void require_memory_for(FluidSettings const& settings)
+{
+    constexpr double least_bytes_a_cell = 400; // some fifty numbers
+    double const needed = least_bytes_a_cell * settings.cells[0] * settings.cells[1] * settings.cells[2],
+                 there = static_cast<double>(hardware().memory);
+    if (on_host && there > 0 && needed > there)
+        throw InputError(fmt::format("fluid.cells: {} x {} x {} cells need at least {:.3g} GB, this machine has {:.3g} GB",
+                                     settings.cells[0], settings.cells[1], settings.cells[2], 1e-9 * needed, 1e-9 * there));
+}
+
 } // namespace
 
 std::uint64_t hash_of_inputs(Scene const& scene)
@@ -93,17 +104,6 @@ void generate_particles(Scene const& scene, RunState& state)
                   pack_at_random(classes, region, material, scene.random_seed,
                                  [&](Vec3 const& x, Real radius) { return stands_clear(state.walls, x, radius); }),
                   state);
-}
-
-/// A kernel that is out of memory is killed without a word.
-void require_memory_for(FluidSettings const& settings)
-{
-    constexpr double least_bytes_a_cell = 400; // some fifty numbers
-    double const needed = least_bytes_a_cell * settings.cells[0] * settings.cells[1] * settings.cells[2],
-                 there = static_cast<double>(hardware().memory);
-    if (on_host && there > 0 && needed > there)
-        throw InputError(fmt::format("fluid.cells: {} x {} x {} cells need at least {:.3g} GB, this machine has {:.3g} GB",
-                                     settings.cells[0], settings.cells[1], settings.cells[2], 1e-9 * needed, 1e-9 * there));
 }
 
 void prepare_fluid(Scene const& scene, PlannedStage const& planned, RunState& state, std::optional<KnownFluid> const& known)
