@@ -3,7 +3,6 @@
 
 #include "apps/calibrate.hpp"
 #include "apps/expected_steps.hpp"
-#include "apps/given_grains.hpp"
 #include "apps/make_state.hpp"
 #include "apps/run_checkpoint.hpp"
 #include "core/error.hpp"
@@ -218,8 +217,7 @@ int check_scene(std::string const& path, std::vector<std::string> const& overrid
 {
     Scene const scene = read_scene(path, overrides);
     StagePlan const plan = make_stage_plan(scene);
-    make_run_state(scene); // walls and files are tried too
-    std::vector<Grain> const given = has_given_grains(scene) ? given_grains(scene) : std::vector<Grain>();
+    std::vector<Grain> const given = download(make_run_state(scene).particles); // walls and files are tried too
     print(scene.resolved);
     print("# ---- what would run");
     long long const grains = print_classes(scene, given);
