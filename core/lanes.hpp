@@ -37,6 +37,9 @@ KOKKOS_FORCEINLINE_FUNCTION Real larger(Real a, Real b) { return a > b ? a : b; 
 KOKKOS_FORCEINLINE_FUNCTION Real smaller(Real a, Real b) { return a < b ? a : b; }
 KOKKOS_FORCEINLINE_FUNCTION Real magnitude(Real a) { return Kokkos::fabs(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real square_root(Real a) { return Kokkos::sqrt(a); }
+// Within two roundings; of 0 and infinity any number or NaN.
+KOKKOS_FORCEINLINE_FUNCTION Real reciprocal(Real a) { return 1 / a; }
+KOKKOS_FORCEINLINE_FUNCTION Real inverse_root(Real a) { return 1 / a * Kokkos::sqrt(a); } // both at the same time
 KOKKOS_FORCEINLINE_FUNCTION Real rounded_down(Real a) { return Kokkos::floor(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Real a, int) { return a; }
 KOKKOS_FORCEINLINE_FUNCTION Real sum_of_lanes(Real a) { return a; }
@@ -87,6 +90,35 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes smaller(Lanes const& a, Lanes const& b) { retu
 #endif
 KOKKOS_FORCEINLINE_FUNCTION Lanes magnitude(Lanes const& a) { return abs(a); }
 KOKKOS_FORCEINLINE_FUNCTION Lanes square_root(Lanes const& a) { return sqrt(a); }
+#if defined(__AVX512F__) && !defined(__znver3__) && !defined(__znver4__) && !defined(__znver5__)
+// An Intel core's divider is busy with eight numbers for 16 cycles (a quotient) or 24 (a root), one after the other. The
+// processor's estimate is good to 14 bits; a series in what it is off by, down to a rounding, goes through the multipliers.
+namespace lanes_detail {
+/// a b + c, rounded once, whatever the flags of the file that includes this.
+KOKKOS_FORCEINLINE_FUNCTION Lanes fused(Lanes const& a, Lanes const& b, Lanes const& c)
+{
+    return Lanes(_mm512_fmadd_pd(static_cast<__m512d>(a), static_cast<__m512d>(b), static_cast<__m512d>(c)));
+}
+} // namespace lanes_detail
+KOKKOS_FORCEINLINE_FUNCTION Lanes reciprocal(Lanes const& a)
+{
+    using lanes_detail::fused;
+    Lanes const estimate(_mm512_rcp14_pd(static_cast<__m512d>(a)));
+    Lanes const off = fused(-a, estimate, 1), better = fused(estimate, off, estimate);
+    return fused(off * off, better, better); // 1 + off + off^2 + off^3
+}
+KOKKOS_FORCEINLINE_FUNCTION Lanes inverse_root(Lanes const& a)
+{
+    using lanes_detail::fused;
+    Lanes const estimate(_mm512_rsqrt14_pd(static_cast<__m512d>(a)));
+    Lanes const off = fused(-(a * estimate), 0.5 * estimate, 0.5);
+    Lanes const series = fused(off, fused(off, 2.5, 1.5), 1); // 1 / sqrt(1 - 2 off) = 1 + off series
+    return fused(estimate * off, series, estimate);
+}
+#else
+KOKKOS_FORCEINLINE_FUNCTION Lanes reciprocal(Lanes const& a) { return 1 / a; }
+KOKKOS_FORCEINLINE_FUNCTION Lanes inverse_root(Lanes const& a) { return 1 / a * sqrt(a); }
+#endif
 KOKKOS_FORCEINLINE_FUNCTION Lanes rounded_down(Lanes const& a) { return floor(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Lanes const& a, int n) { return a[n]; }
 KOKKOS_FORCEINLINE_FUNCTION Real sum_of_lanes(Lanes const& a) { return reduce(a); }

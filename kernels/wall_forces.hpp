@@ -111,6 +111,7 @@ template <class Law> struct WallContactEvaluation {
         for (int c = first; c < last; c += lane_count) {
             WallContactLanes at;
             bool touched = false;
+            ask_for_grains(c + lane_count);
             for (int n = 0; n < lane_count; ++n) { // the last row again in the lanes that are left
                 at.row[n] = Kokkos::min(c + n, last - 1);
                 at.grain[n] = list.grain(at.row[n]);
@@ -136,6 +137,19 @@ template <class Law> struct WallContactEvaluation {
                 evaluate_several(at, grains.w, wall);
             }
         }
+    }
+
+    /// Asks for the grains of rows c .. c + lane_count - 1, which lie apart in memory and may have been moved by another
+    /// core.
+    KOKKOS_FORCEINLINE_FUNCTION void ask_for_grains(int c) const
+    {
+        if constexpr (lane_count > 1)
+            for (int n = 0; n < lane_count; ++n) {
+                auto const at = 4 * static_cast<std::ptrdiff_t>(list.grain(Kokkos::min(c + n, list.count - 1)));
+                prefetch(position.data() + at);
+                prefetch(velocity.data() + at);
+                prefetch(spin.data() + at);
+            }
     }
 
     /// Normal and level [m] of the rows' faces, which are seldom different ones.

@@ -39,7 +39,7 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N jkr_root(N const& scaled_overla
     N const p = v * numerator + N(1e-30), q = denominator, pp = p * p, pq = p * q, qq = q * q;
     N const value = pp * (pp + 4 * y_S * pq + 6 * y_S * y_S * qq) - square * (qq * qq);
     N const slope = p * (4 * pp + 12 * y_S * pq + 12 * y_S * y_S * qq);
-    return y_S + larger((p * slope - value) / (q * slope), N(0));
+    return y_S + larger((p * slope - value) * reciprocal(q * slope), N(0));
 }
 
 /// 1 / L, 1/m.

@@ -158,7 +158,7 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N cut_to(N const& limit, N const&
     // loses more than the root costs.
     if constexpr (NumberTraits<N>::lanes == 1)
         if (square <= limit * limit) return 1;
-    return smaller(limit * (1 / square) * square_root(square), N(1)); // the root and the quotient at the same time
+    return smaller(limit * inverse_root(square), N(1));
 }
 
 struct NoTangential {
@@ -189,7 +189,7 @@ struct CoulombSpring {
         previous_radius = normal.contact_radius;
         N const square = dot(spring, spring);
         if constexpr (radius_is_late && NumberTraits<N>::lanes > 1) // then the root has not waited for it
-            spring *= smaller(limit * (1 / (stiffness * square_root(square))), N(1));
+            spring *= smaller(limit * reciprocal(stiffness * square_root(square)), N(1));
         else spring *= cut_to(limit, stiffness * stiffness * square);
         N const dashpot = pair.tangential_damping_ratio * (pair.damping_factor * normal.impedance);
         Vector<N> const force = -stiffness * spring - dashpot * slip_velocity;
