@@ -10,8 +10,8 @@
 namespace arenite {
 namespace {
 
-/// The largest relative difference between a function of lanes and its reference, over 100 decades to either side of 1.
-template <class OfLanes, class Reference> void compare(OfLanes const& of_lanes, Reference const& reference)
+/// A function of lanes beside its reference, over 100 decades to either side of 1.
+template <class OfLanes, class Reference> void expect_two_roundings(OfLanes const& of_lanes, Reference const& reference)
 {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<Real> exponent(-100, 100);
@@ -31,12 +31,12 @@ template <class OfLanes, class Reference> void compare(OfLanes const& of_lanes, 
 
 TEST(Lanes, ReciprocalsAreGoodToTwoRoundings)
 {
-    compare([](Lanes const& a) { return reciprocal(a); }, [](long double a) { return 1 / a; });
+    expect_two_roundings([](Lanes const& a) { return reciprocal(a); }, [](long double a) { return 1 / a; });
 }
 
 TEST(Lanes, InverseRootsAreGoodToTwoRoundings)
 {
-    compare([](Lanes const& a) { return inverse_root(a); }, [](long double a) { return 1 / std::sqrt(a); });
+    expect_two_roundings([](Lanes const& a) { return inverse_root(a); }, [](long double a) { return 1 / std::sqrt(a); });
 }
 
 TEST(Lanes, AnInverseRootOfNothingCutsNothing)
