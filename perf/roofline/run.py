@@ -46,7 +46,7 @@ def main() -> int:
             hashes = set()
             for threads in arguments.threads:
                 results = measure.bench(arguments.arenite, threads, "--pack", pack.file, "--law", law, "--steps", steps,
-                                        "--warm-up", max(5, steps // 10), "--repeats", arguments.repeats, "--limits")
+                                        "--warm-up", max(5, steps // 2), "--repeats", arguments.repeats, "--limits")
                 speeds = [result["particle_steps_per_s"] for result in results]
                 medians = [float(statistics.median(result[name] for result in results)) for name in MEDIANS]
                 hashes |= {result["state_hash"] for result in results}
