@@ -379,6 +379,35 @@ template <class Places> [[gnu::always_inline]] inline void store(LaneRecords con
 } // namespace lanes_detail
 #endif
 
+/// A sum of records that lie side by side. Two of them are one vector where the processor has such.
+template <int quads> struct RecordSum {
+    Quad sum[quads] = {};
+
+    KOKKOS_FORCEINLINE_FUNCTION void add(Real factor, Real const* records)
+    {
+        for (int q = 0; q < quads; ++q) sum[q] += factor * load_record(records + 4 * q);
+    }
+    KOKKOS_FORCEINLINE_FUNCTION void add(Real factor, RecordSum const& other)
+    {
+        for (int q = 0; q < quads; ++q) sum[q] += factor * other.sum[q];
+    }
+    KOKKOS_FORCEINLINE_FUNCTION Real operator[](int n) const { return sum[n / 4][n % 4]; }
+};
+#if defined(ARENITE_TURNS_IN_REGISTERS) && defined(__AVX512F__)
+template <> struct RecordSum<2> {
+    lanes_detail::Octet sum = {};
+
+    KOKKOS_FORCEINLINE_FUNCTION void add(Real factor, Real const* records)
+    {
+        lanes_detail::Octet both;
+        std::memcpy(&both, records, sizeof both);
+        sum += factor * both;
+    }
+    KOKKOS_FORCEINLINE_FUNCTION void add(Real factor, RecordSum const& other) { sum += factor * other.sum; }
+    KOKKOS_FORCEINLINE_FUNCTION Real operator[](int n) const { return sum[n]; }
+};
+#endif
+
 /// Record quad(n), a Quad, in lane n.
 template <class Quads> KOKKOS_FORCEINLINE_FUNCTION LaneRecords turned(Quads const& quad)
 {

@@ -32,18 +32,13 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N cell_coordinate(Grid const& gri
     return select(scaled >= N(0) && scaled <= N(cells), scaled, N(-1));
 }
 
-/// First cell that the kernel touches, before it is brought into the box.
-KOKKOS_FUNCTION int first_touched(DepositStencil const& stencil, int axis, Real scaled)
+/// Start cells of grains at these coordinates, whole numbers.
+template <class N> KOKKOS_FORCEINLINE_FUNCTION N start_cell(DepositStencil const& stencil, int axis, N const& scaled)
 {
-    return static_cast<int>(Kokkos::floor(scaled - stencil.support_radius / stencil.grid.spacing[axis]));
-}
-
-KOKKOS_FUNCTION int start_cell(DepositStencil const& stencil, int axis, Real scaled)
-{
-    int const first = first_touched(stencil, axis, scaled);
     if (stencil.starts[axis] == 1) return 0;
-    if (stencil.grid.periodic[axis]) return first < 0 ? first + stencil.grid.cells[axis] : first;
-    return Kokkos::max(0, Kokkos::min(first, stencil.starts[axis] - 1));
+    N const first = rounded_down(scaled - stencil.support_radius / stencil.grid.spacing[axis]); // that the kernel touches
+    if (stencil.grid.periodic[axis]) return select(first < N(0), first + Real(stencil.grid.cells[axis]), first);
+    return larger(smaller(first, N(stencil.starts[axis] - 1)), N(0));
 }
 
 /// An axis of the table of weights: first column, and their number with the padding.
@@ -100,7 +95,7 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes write_axis_weights(GrainWeights const& weights
     bool const periodic = stencil.grid.periodic[axis];
     int const boxes = touched / cells + 2;
     Lanes const last = first + Real(touched - 1);
-    Lanes const start = make_lanes([&](int n) { return Real(start_cell(stencil, axis, lane(scaled, n))); });
+    Lanes const start = start_cell(stencil, axis, scaled);
     write_slots(weights, axis, entry, [&](int slot) {
         Lanes weight = 0;
         if (slot >= stencil.slots[axis]) return weight;
@@ -123,18 +118,24 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes write_axis_weights(GrainWeights const& weights
 void number_bins(DepositStencil const& stencil, RecordView const& position, int count, int bins_per_axis,
                  View1<int> const& bin)
 {
+    Real const bins_per_block = bins_per_axis * bins_per_axis * bins_per_axis;
     Kokkos::parallel_for(
-        "number_bins", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
-            int block = 0, inner = 0;
-            bin(row) = -1;
+        "number_bins", RangePolicy(0, (count + lane_count - 1) / lane_count), KOKKOS_LAMBDA(int group) {
+            int row[lane_count]; // beyond the last grain: the last again
+            for (int n = 0; n < lane_count; ++n) row[n] = Kokkos::min(group * lane_count + n, count - 1);
+            LaneRecords const at = load_records(position.data(), row);
+            Lanes block = 0, inner = 0;
+            LaneMask inside(true);
             for (int axis = 2; axis >= 0; --axis) {
-                Real const scaled = cell_coordinate(stencil.grid, axis, position(row, axis));
-                if (scaled < 0) return;
-                Real const fraction = scaled - Kokkos::floor(scaled);
-                block = block * stencil.starts[axis] + start_cell(stencil, axis, scaled);
-                inner = inner * bins_per_axis + Kokkos::min(static_cast<int>(fraction * bins_per_axis), bins_per_axis - 1);
+                Lanes const scaled = cell_coordinate(stencil.grid, axis, at.xyz[axis]);
+                inside = inside && scaled >= Lanes(0);
+                Lanes const place = rounded_down((scaled - rounded_down(scaled)) * Real(bins_per_axis));
+                block = block * Real(stencil.starts[axis]) + start_cell(stencil, axis, scaled);
+                inner = inner * Real(bins_per_axis) + smaller(place, Lanes(bins_per_axis - 1));
             }
-            bin(row) = block * bins_per_axis * bins_per_axis * bins_per_axis + inner;
+            Lanes const number =
+                select(inside, block * bins_per_block + inner, Lanes(-1)); // exact: a bin's number is an int
+            for (int n = 0; n < lane_count; ++n) bin(row[n]) = static_cast<int>(lane(number, n));
         });
 }
 

@@ -121,7 +121,7 @@ namespace deposit_detail {
 /// column to column.
 template <int groups, int quads>
 KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real const* weight, std::ptrdiff_t step,
-                                           int first_cell, TableView const& cell, Quad (&sum)[quads])
+                                           int first_cell, TableView const& cell, RecordSum<quads>& sum)
 {
     constexpr int count = groups * DepositStencil::group;
     Grid const& grid = stencil.grid;
@@ -134,11 +134,9 @@ KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real c
     for (int c = 0; c < stencil.slots[2]; ++c) {
         Real const* values = first + c * plane;
         for (int b = 0; b < stencil.slots[1]; ++b, values += row) {
-            Quad along_x[quads] = {};
-            for (int a = 0; a < count; ++a)
-                for (int q = 0; q < quads; ++q) along_x[q] += wx[a] * load_record(values + a * stride + 4 * q);
-            Real const wyz = wy[b * step] * wz[c * step];
-            for (int q = 0; q < quads; ++q) sum[q] += wyz * along_x[q];
+            RecordSum<quads> along_x;
+            for (int a = 0; a < count; ++a) along_x.add(wx[a], values + a * stride);
+            sum.add(wy[b * step] * wz[c * step], along_x);
         }
     }
 }
@@ -146,7 +144,7 @@ KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Real c
 /// The same for any block, cell by cell: it may go on at a periodic box's other end.
 template <int quads>
 KOKKOS_FUNCTION void sum_any_block(DepositStencil const& stencil, Real const* weight, std::ptrdiff_t step,
-                                   int const (&start)[3], TableView const& cell, Quad (&sum)[quads])
+                                   int const (&start)[3], TableView const& cell, RecordSum<quads>& sum)
 {
     for (int c = 0; c < stencil.slots[2]; ++c)
         for (int b = 0; b < stencil.slots[1]; ++b) {
@@ -154,7 +152,7 @@ KOKKOS_FUNCTION void sum_any_block(DepositStencil const& stencil, Real const* we
             Real const wyz = weight[(stencil.y_slot() + b) * step] * weight[(stencil.z_slot() + c) * step];
             for (int a = 0; a < stencil.slots[0]; ++a) {
                 Real const* const values = &cell(stencil.grid.cells[0] * row + stencil.cell(0, start[0], a), 0);
-                for (int q = 0; q < quads; ++q) sum[q] += (wyz * weight[a * step]) * load_record(values + 4 * q);
+                sum.add(wyz * weight[a * step], values);
             }
         }
 }
@@ -171,7 +169,7 @@ KOKKOS_FORCEINLINE_FUNCTION void interpolate_at(GrainWeights const& weights, int
     int const first = weights.first_cell(entry);
     Real const* const weight = &weights.weight(entry, 0);
     std::ptrdiff_t const step = weights.column_step();
-    Quad sum[(components + 3) / 4] = {};
+    RecordSum<(components + 3) / 4> sum;
     if (first >= 0 && stencil.groups == 1) deposit_detail::sum_block<1>(stencil, weight, step, first, cell, sum);
     else if (first >= 0 && stencil.groups == 2) deposit_detail::sum_block<2>(stencil, weight, step, first, cell, sum);
     else {
@@ -180,7 +178,7 @@ KOKKOS_FORCEINLINE_FUNCTION void interpolate_at(GrainWeights const& weights, int
                   ny = first >= 0 ? stencil.grid.cells[1] : stencil.starts[1];
         deposit_detail::sum_any_block(stencil, weight, step, {code % nx, code / nx % ny, code / (nx * ny)}, cell, sum);
     }
-    for (int q = 0; q < components; ++q) value[q] = sum[q / 4][q % 4];
+    for (int q = 0; q < components; ++q) value[q] = sum[q];
 }
 
 } // namespace arenite

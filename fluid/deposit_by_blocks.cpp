@@ -2,6 +2,7 @@
 #include "fluid/deposit_by_blocks.hpp"
 
 #include "core/error.hpp"
+#include "core/turns.hpp"
 #include "core/work_array.hpp"
 
 #include <algorithm>
@@ -90,17 +91,21 @@ template <int components> struct PartSum {
     }
 };
 
-/// The pieces of all parts, a part a work item.
-template <int components>
-void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int planes, int parts)
+/// The pieces of all parts. A turn is a block's, whose grains stay in the cache; blocks at walls hold several times the
+/// grains of others.
+template <int components> void sum_parts(GrainWeights const& weights, TableView const& quantity, int first_plane, int planes)
 {
-    Kokkos::parallel_for(
-        "deposit_parts", RangePolicy(0, parts), KOKKOS_LAMBDA(int number) {
-            Part const part = part_of(weights.stencil, number, first_plane, planes);
-            if (part.plane < 0) return;
-            PartSum<components> sum;
-            sum.add_entries(weights, part, quantity);
-            sum.write(weights.stencil, part, weights.partial.data());
+    DepositStencil const stencil = weights.stencil;
+    int const parts = stencil.groups * stencil.row_groups * stencil.slots[2]; // of a block
+    for_each_turn(
+        "deposit_parts", stencil.block_count(), KOKKOS_LAMBDA(int block) {
+            for (int number = block * parts; number < (block + 1) * parts; ++number) {
+                Part const part = part_of(stencil, number, first_plane, planes);
+                if (part.plane < 0) continue;
+                PartSum<components> sum;
+                sum.add_entries(weights, part, quantity);
+                sum.write(stencil, part, weights.partial.data());
+            }
         });
 }
 
@@ -149,8 +154,7 @@ void deposit_planes(GrainWeights const& weights, TableView const& quantity, Tabl
     DepositStencil const stencil = weights.stencil;
     View1<Real> const partial = weights.partial;
     int const nx = stencil.grid.cells[0], ny = stencil.grid.cells[1];
-    int const parts = stencil.block_count() * stencil.groups * stencil.row_groups * stencil.slots[2];
-    sum_parts<components>(weights, quantity, first_plane, planes, parts);
+    sum_parts<components>(weights, quantity, first_plane, planes);
     Kokkos::parallel_for(
         "add_deposit_pieces", RangePolicy(0, ny * planes * nx), KOKKOS_LAMBDA(int target) {
             Real total[components];
