@@ -93,6 +93,7 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes square_root(Lanes const& a) { return sqrt(a); 
 #if defined(__AVX512F__) && !defined(__znver3__) && !defined(__znver4__) && !defined(__znver5__)
 // An Intel core's divider is busy with eight numbers for 16 cycles (a quotient) or 24 (a root), one after the other. The
 // processor's estimate is good to 14 bits; a series in what it is off by, down to a rounding, goes through the multipliers.
+// On another maker's processor the same program would give other last bits: its estimates differ.
 namespace lanes_detail {
 /// a b + c, rounded once, whatever the flags of the file that includes this.
 KOKKOS_FORCEINLINE_FUNCTION Lanes fused(Lanes const& a, Lanes const& b, Lanes const& c)

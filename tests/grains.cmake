@@ -4,7 +4,8 @@ arenite_test(test_grains unit unit/test_jkr.cpp unit/test_material.cpp unit/test
   unit/test_contact_search.cpp unit/test_integrate.cpp unit/test_verify.cpp LINK arenite_verify)
 set_tests_properties(test_grains PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 
-arenite_test(test_core unit unit/test_lanes.cpp unit/test_large_pages.cpp ../apps/large_pages.cpp unit/test_turns.cpp unit/test_reproducible_sum.cpp) # on more threads than one
+arenite_test(test_core unit unit/test_lanes.cpp unit/test_large_pages.cpp ../apps/large_pages.cpp unit/test_turns.cpp
+  unit/test_reproducible_sum.cpp) # on more threads than one
 set_source_files_properties(../apps/large_pages.cpp PROPERTIES ARENITE_HOST_ONLY TRUE)
 
 # What `arenite verify` runs, a ctest a group.
