@@ -32,11 +32,17 @@ template <class N> KOKKOS_FORCEINLINE_FUNCTION N cell_coordinate(Grid const& gri
     return select(scaled >= N(0) && scaled <= N(cells), scaled, N(-1));
 }
 
-/// Start cells of grains at these coordinates, whole numbers.
+/// First cell that the kernel touches, a whole number, before it is brought into the box.
+template <class N> KOKKOS_FORCEINLINE_FUNCTION N first_touched(DepositStencil const& stencil, int axis, N const& scaled)
+{
+    return rounded_down(scaled - stencil.support_radius / stencil.grid.spacing[axis]);
+}
+
+/// That cell in the box: the start of the grain's block.
 template <class N> KOKKOS_FORCEINLINE_FUNCTION N start_cell(DepositStencil const& stencil, int axis, N const& scaled)
 {
     if (stencil.starts[axis] == 1) return 0;
-    N const first = rounded_down(scaled - stencil.support_radius / stencil.grid.spacing[axis]); // that the kernel touches
+    N const first = first_touched(stencil, axis, scaled);
     if (stencil.grid.periodic[axis]) return select(first < N(0), first + Real(stencil.grid.cells[axis]), first);
     return larger(smaller(first, N(stencil.starts[axis] - 1)), N(0));
 }
@@ -75,7 +81,7 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes write_axis_weights(GrainWeights const& weights
 {
     DepositStencil const& stencil = weights.stencil;
     Lanes const scaled = cell_coordinate(stencil.grid, axis, coordinate);
-    Lanes const first = rounded_down(scaled - stencil.support_radius / stencil.grid.spacing[axis]);
+    Lanes const first = first_touched(stencil, axis, scaled);
     Lanes const cells_per_radius = stencil.grid.spacing[axis] / stencil.support_radius;
     int const touched = stencil.touched[axis], cells = stencil.grid.cells[axis];
     if (stencil.slots[axis] == touched && all(first >= Lanes(0) && first + Real(touched) <= Lanes(cells))) { // in the box

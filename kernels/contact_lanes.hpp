@@ -48,13 +48,18 @@ KOKKOS_FORCEINLINE_FUNCTION LaneRecords records_of(RecordView const& view, int c
     return load_records(view.data(), grains);
 }
 
+/// Asks for what these arrays hold of a grain.
+template <class... Records> KOKKOS_FORCEINLINE_FUNCTION void ask_for_grain(int row, Records const&... of)
+{
+    (prefetch(of.data() + 4 * static_cast<std::ptrdiff_t>(row)), ...);
+}
+
 /// Asks for what a kernel over contacts reads of the second grains some blocks ahead: partners lie apart in memory, where
 /// the processor does not see them coming. second: of the first contact of a block.
 template <class... Records> KOKKOS_FORCEINLINE_FUNCTION void ask_for_later(int const* second, Records const&... of)
 {
     if constexpr (lane_count > 1)
-        for (int n = second_ahead - lane_count; n < second_ahead; ++n)
-            (prefetch(of.data() + 4 * static_cast<std::ptrdiff_t>(second[n])), ...);
+        for (int n = second_ahead - lane_count; n < second_ahead; ++n) ask_for_grain(second[n], of...);
 }
 
 /// Sizes of contacts c .. c + lane_count - 1. Without bonds no law asks for the inverse cube root, and the list has none.

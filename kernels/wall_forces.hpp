@@ -144,12 +144,8 @@ template <class Law> struct WallContactEvaluation {
     KOKKOS_FORCEINLINE_FUNCTION void ask_for_grains(int c) const
     {
         if constexpr (lane_count > 1)
-            for (int n = 0; n < lane_count; ++n) {
-                auto const at = 4 * static_cast<std::ptrdiff_t>(list.grain(Kokkos::min(c + n, list.count - 1)));
-                prefetch(position.data() + at);
-                prefetch(velocity.data() + at);
-                prefetch(spin.data() + at);
-            }
+            for (int n = 0; n < lane_count; ++n)
+                ask_for_grain(list.grain(Kokkos::min(c + n, list.count - 1)), position, velocity, spin);
     }
 
     /// Normal and level [m] of the rows' faces, which are seldom different ones.
