@@ -75,19 +75,21 @@ double multiply_add_rate()
 //                      a grain:       position, velocity, spin 96
 //   kick_and_drift,    a gathered row: incident 4 + 4; force 64
 //                      a grain:       position, velocity, spin 2 x 96; reference position 32; motion 1; list ends 8; awake 1
+// In passes the rows that they share never leave the caches, and a grain's records are read once.
 // Flops. An addition, product, quotient or root is one; a comparison, a selection or a change of sign none.
 //   a candidate:  offset 3, its square 5, reach 1; a gathered row: on both sides 2 x 12
 //   a contact:    distance, normal, overlap, arms 16; approach 3; turn of the line of centres 50; spins 12; slip 40;
 //                 twist 7; spring's transport 40; dashpot and sums 13; tangential spring and limits 45; moment 9; Hertz 5,
 //                 or JKR's curve 59 and its limit 2
 //   a grain:      weight 6, check 15, two half kicks 28, move 24
-StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_per_grain, double gathered_per_grain)
+StepCost step_cost(NormalLaw law, StepCounts const& per_grain)
 {
     bool const jkr = law != NormalLaw::hertz;
+    double const contacts = per_grain.contacts, candidates = per_grain.candidates, gathered = per_grain.gathered;
     StepCost cost;
-    cost.bytes =
-        candidates_per_grain * (9 + jkr) + gathered_per_grain * 72 + contacts_per_grain * (129 + 9 * jkr) + 96 + 234;
-    cost.flops = candidates_per_grain * 9 + gathered_per_grain * 24 + contacts_per_grain * (235 + (jkr ? 61 : 5)) + 73;
+    cost.bytes = candidates * (9 + jkr) + gathered * 72 + contacts * (129 + 9 * jkr) + 96 + 234;
+    if (per_grain.in_passes) cost.bytes -= 64 * (per_grain.shared + std::min(per_grain.shared, contacts)) + 96;
+    cost.flops = candidates * 9 + gathered * 24 + contacts * (235 + (jkr ? 61 : 5)) + 73;
     return cost;
 }
 

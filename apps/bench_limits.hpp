@@ -21,7 +21,12 @@ struct StepCost {
 
 /// Counted by hand from the kernels' source (bench_limits.cpp says what is counted): compulsory traffic of the kernels
 /// evaluate_contacts and kick_and_drift, and useful arithmetic, history on, closed box, one material.
-/// gathered_per_grain: rows of forces that are gathered, those of the close candidates and of grains that are awake.
-StepCost step_cost(NormalLaw law, double contacts_per_grain, double candidates_per_grain, double gathered_per_grain);
+struct StepCounts {
+    double contacts = 0, candidates = 0;
+    double gathered = 0; // rows of forces: of the close candidates, and of all of a grain that is awake
+    double shared = 0;   // of these, rows that the passes of a step share (kernels/contact_passes.hpp)
+    bool in_passes = false;
+};
+StepCost step_cost(NormalLaw law, StepCounts const& per_grain);
 
 } // namespace arenite

@@ -74,7 +74,10 @@ struct PreparedPack {
         search_contacts(state.particles, state.box, {state.skin, forces.needs, {}}, state.contacts);
         search_wall_contacts(state.particles, state.walls, state.skin, forces.wall_needs, state.wall_contacts);
     }
-    void move() { kick_and_drift(state.integrator, step, state.particles, state.contacts, force_rows(state.wall_contacts)); }
+    void move(ContactPass const& pass)
+    {
+        kick_and_drift(state.integrator, step, state.particles, state.contacts, force_rows(state.wall_contacts), pass);
+    }
 };
 
 void prepare(BenchPack const& pack, BenchSettings const& settings, PreparedPack& prepared)
@@ -97,7 +100,7 @@ void prepare(BenchPack const& pack, BenchSettings const& settings, PreparedPack&
     prepared.step.gravity = {0, 0, -settings.gravity};
     prepared.step.allowed_move = settings.skin / 2;
     prepared.search();
-    prepared.forces.evaluate(0);
+    evaluate_all(prepared.forces, state, 0);
     StepSettings still = prepared.step;
     still.dt = 0;
     kick(state.integrator, still, state.particles, state.contacts, force_rows(state.wall_contacts));
@@ -119,13 +122,18 @@ void make_steps(PreparedPack& prepared, long long steps, BenchRun& run)
             if (made == steps) return;
         }
         auto const t1 = Clock_::now();
-        prepared.forces.evaluate(prepared.step.dt);
-        auto const t2 = Clock_::now();
-        prepared.move();
-        auto const t3 = Clock_::now();
         run.seconds_search += seconds_between(t0, t1);
-        run.seconds_evaluate += seconds_between(t1, t2);
-        run.seconds_integrate += seconds_between(t2, t3);
+        prepared.forces.evaluate_walls(prepared.step.dt);
+        auto before = t1;
+        for_each_pass(state.contacts, [&](ContactPass const& pass) {
+            prepared.forces.evaluate_pass(pass, prepared.step.dt);
+            auto const evaluated = Clock_::now();
+            prepared.move(pass);
+            auto const moved = Clock_::now();
+            run.seconds_evaluate += seconds_between(before, evaluated);
+            run.seconds_integrate += seconds_between(evaluated, moved);
+            before = moved;
+        });
     }
 }
 
@@ -260,6 +268,12 @@ BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
     run.steps = settings.steps;
     run.candidates_per_grain = static_cast<double>(state.contacts.count) / run.grains;
     run.gathered_per_grain = gathered_rows(state.contacts) / run.grains;
+    double shared = 0;
+    for_each_pass(state.contacts, [&](ContactPass const& pass) {
+        shared += pass.kept.end - pass.kept.begin;
+        run.in_passes = run.in_passes || !pass.last;
+    });
+    run.shared_per_grain = shared / run.grains;
     run.contacts_per_grain = static_cast<double>(prepared.forces.report().touching) / run.grains;
     run.state_hash = hash_state(state.particles);
     run.memory = memory.by_label();

@@ -267,6 +267,7 @@ void save_checkpoint(std::filesystem::path const& path, Scene const& scene, Stag
     if (state.energy) save_energy(out, *state.energy);
     save_groups(out, state.groups);
     out.value("contacts/count", state.contacts.count);
+    out.value("contacts/tile_grains", state.contacts.tile_grains);
     save_named(out, "walls/", save_walls(state.walls));
     save_named(out, "wall_contacts/", save_wall_contacts(state.wall_contacts));
     out.value("fluid/present", state.fluid ? 1 : 0);
@@ -296,6 +297,8 @@ RunState load_checkpoint(std::filesystem::path const& path, Scene const& scene, 
     else if (in.has("energy/work")) state.energy = load_energy(in);
     state.groups = load_groups(in, scene.groups.size());
     state.contacts.count = in.value<int>("contacts/count");
+    state.contacts.tile_grains =
+        in.has("contacts/tile_grains") ? in.value<int>("contacts/tile_grains") : 0; // of older files
     state.contacts.periodic = state.box.any_periodic();
     state.contacts.needs = {state.contacts.spring.is_allocated(), state.contacts.adhering.is_allocated(),
                             state.contacts.contact_radius.is_allocated()};

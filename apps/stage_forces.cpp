@@ -85,10 +85,12 @@ StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunSta
     StageForces forces;
     forces.needs = contact_needs(law, pairs, planned.keeps_balance);
     forces.wall_needs = contact_needs(wall_law, planned.wall_pairs);
-    forces.evaluate = [&state, law, wall_law](Real dt) {
-        StepGate const gate = state.integrator.gate();
-        evaluate_contacts(law, state.particles, state.box, state.contacts, dt, gate);
-        evaluate_wall_contacts(wall_law, state.particles, state.box, state.walls, state.wall_contacts, dt, gate);
+    forces.evaluate_pass = [&state, law](ContactPass const& pass, Real dt) {
+        evaluate_contacts(law, state.particles, state.box, state.contacts, pass, dt, state.integrator.gate());
+    };
+    forces.evaluate_walls = [&state, wall_law](Real dt) {
+        evaluate_wall_contacts(wall_law, state.particles, state.box, state.walls, state.wall_contacts, dt,
+                               state.integrator.gate());
     };
     bool const grains_bond = any_bonds_at_start(pairs), walls_bond = any_bonds_at_start(planned.wall_pairs);
     if (grains_bond || walls_bond)

@@ -12,10 +12,11 @@ namespace arenite {
 
 struct StageForces {
     ContactNeeds needs, wall_needs;
-    std::function<void(Real dt)> evaluate; // forces of grains and walls where everything is now
-    std::function<ContactReport()> report; // energies and counts of the grains' contacts
-    std::function<Real()> wall_elastic;    // J held by the grains' contacts with walls, as ContactReport's
-    std::function<void()> form_bonds;      // of what touches now; empty where no pair bonds at the start
+    std::function<void(ContactPass const&, Real dt)> evaluate_pass; // forces between grains where they are now
+    std::function<void(Real dt)> evaluate_walls;                    // those of walls on grains
+    std::function<ContactReport()> report;                          // energies and counts of the grains' contacts
+    std::function<Real()> wall_elastic; // J held by the grains' contacts with walls, as ContactReport's
+    std::function<void()> form_bonds;   // of what touches now; empty where no pair bonds at the start
 
     // For a balance sheet, to `to` as reproducible_sums_to does it. adhered: the contacts' flags when they were last looked
     // at, brought up to date; origin: of the box's strain, m.
@@ -28,5 +29,12 @@ struct StageForces {
 /// Binds the laws of the planned stage to the state, which must outlive the result. friction below 0: the
 /// materials' own, otherwise that of every pair of grains.
 StageForces make_stage_forces(PlannedStage const& planned, Real friction, RunState& state);
+
+/// Forces of grains and walls where everything is now.
+inline void evaluate_all(StageForces const& forces, RunState const& state, Real dt)
+{
+    forces.evaluate_pass(whole_step(state.contacts), dt);
+    forces.evaluate_walls(dt);
+}
 
 } // namespace arenite

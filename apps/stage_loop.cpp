@@ -89,14 +89,18 @@ void advance_grains(StageSetup& setup, Cadence const& cadence, RunState& state)
     for (;;) {
         Phase const phase("grain step");
         follow_drift(setup, state, cadence.stops_at(state.clock.stage_step + 1));
-        setup.forces.evaluate(step.dt);
+        setup.forces.evaluate_walls(step.dt);
         drive_servos(setup, state);
         WallForceRows const wall_rows = force_rows(state.wall_contacts);
         if (cadence.stops_at(state.clock.stage_step)) {
+            setup.forces.evaluate_pass(whole_step(state.contacts), step.dt);
             kick(state.integrator, step, state.particles, state.contacts, wall_rows);
             return;
         }
-        kick_and_drift(state.integrator, step, state.particles, state.contacts, wall_rows);
+        for_each_pass(state.contacts, [&](ContactPass const& pass) {
+            setup.forces.evaluate_pass(pass, step.dt);
+            kick_and_drift(state.integrator, step, state.particles, state.contacts, wall_rows, pass);
+        });
     }
 }
 
@@ -109,7 +113,7 @@ void advance_grains_in_balance(StageSetup& setup, Cadence const& cadence, RunSta
         drift(state.integrator, step, state.particles, state.contacts);
         follow_drift(setup, state, cadence.stops_at(state.clock.stage_step + 1));
         begin_step(setup, state);
-        setup.forces.evaluate(step.dt);
+        evaluate_all(setup.forces, state, step.dt);
         kick(state.integrator, step, state.particles, state.contacts, force_rows(state.wall_contacts));
         add_step(setup, state);
         drive_servos(setup, state);

@@ -247,7 +247,7 @@ StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState
     StageSetup setup = make_setup(scene, planned, state);
     search(setup, state);
     if (setup.forces.form_bonds) setup.forces.form_bonds();
-    setup.forces.evaluate(0); // no time passes: springs and wall poses stay
+    evaluate_all(setup.forces, state, 0); // no time passes: springs and wall poses stay
     StepSettings still = setup.step;
     still.dt = 0;
     kick(state.integrator, still, state.particles, state.contacts, force_rows(state.wall_contacts));
@@ -270,7 +270,10 @@ void set_friction(StageSetup& setup, RunState& state, Real friction)
 void search(StageSetup& setup, RunState& state, View1<int> const& keep)
 {
     try {
-        search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep}, state.contacts);
+        // A box that holds a stress looks at it between steps, a balance after every step.
+        auto const& box = setup.planned->settings.box;
+        bool const whole_steps = state.energy || (box && box->holds_stress());
+        search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep, whole_steps}, state.contacts);
     } catch (InputError const& error) {
         if (state.clock.stage_step == 0) throw;
         throw SimulationError(error.what()); // the scene was sound when the stage began

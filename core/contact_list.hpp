@@ -10,6 +10,9 @@
 // Likewise a grain gathers the others, in between by partner id, only once one of them has carried a force: until then its
 // sum is the same without their zeros.
 //
+// A host that has more grains than its caches hold takes the step in parts (kernels/contact_passes.hpp). For it the grains
+// lie in tiles, so many rows each, and the pairs that it evaluates together lie together (Section).
+//
 // The first grain of a pair owns the row: the smaller of the two, of equal ones that with the lower id. That
 // depends on the two alone, so memory stays with its row whatever other grains come or leave. The normal
 // points from second to first.
@@ -47,13 +50,28 @@ inline constexpr int second_ahead = 24;
 /// Incident entries that may be read beyond the last: a gather asks early for the rows to come.
 inline constexpr int incident_ahead = 32;
 
+/// How pairs are sorted: in this order, within a section by the first grain's row.
+struct Section {
+    enum : int {
+        close = 0, // without tiles these two
+        others = 1,
+        close_within = 0, // with tiles these: of grains of one tile
+        close_up = 1,     // the first grain's tile is before the second's
+        close_down = 2,   // after it
+        others_up = 3,    // not close; the first grain's tile is not after the second's
+        others_down = 4,
+        most = 5
+    };
+};
+
 struct ContactList {
-    int count = 0; // pairs within the cutoff
-    int close = 0; // the first of them, which were close
+    int count = 0;       // pairs within the cutoff
+    int close = 0;       // the first of them, which were close
+    int tile_grains = 0; // grains of a tile; 0: the list has no tiles
     ContactNeeds needs;
     bool periodic = false;
 
-    View1<int> row_begin;      // [2 grain + 1] contacts that grain i owns: the close ones at i, the others at grains() + i
+    View1<int> row_begin;      // [sections() * grain + 1] contacts that grain i owns, those of section s at s grains() + i
     View1<int> first;          // [contact] rows of the two grains
     View1<int> second;         // [contact + second_ahead]
     View1<std::uint8_t> image; // [contact] image code of second; empty in a closed box
@@ -63,7 +81,7 @@ struct ContactList {
     View1<std::uint8_t> adhering;  // [contact] follows the JKR curve; empty without bonds
     ContactColumns<3> spring;      // [contact](xi x, y, z m); empty without history
     View1<Real> contact_radius;    // [contact] a at the last evaluation, m; empty unless needed
-    ForceRows force;               // [contact] N and m, no force and moment where not touching
+    ForceRows force;               // [contact] N and m, none where not touching; then, with tiles, rows that passes share
 
     View1<int> incident_begin; // [2 grain + 1] a grain's close contacts at i, its others at grains() + i
     View1<int> incident;       // [2 contact + incident_ahead] contact * 2 + (1 where the grain is second), by partner id
@@ -72,7 +90,12 @@ struct ContactList {
 
     RecordView reference_position; // [grain] where the grains were when the list was built
 
-    KOKKOS_FUNCTION int grains() const { return row_begin.extent_int(0) / 2; }
+    KOKKOS_FUNCTION int sections() const { return tile_grains > 0 ? Section::most : 2; }
+    KOKKOS_FUNCTION int close_sections() const { return tile_grains > 0 ? Section::others_up : Section::others; }
+    KOKKOS_FUNCTION int grains() const { return row_begin.extent_int(0) / sections(); }
+
+    /// The row of a contact that does not touch may hold a force: of an earlier step, or of another contact of its pass.
+    KOKKOS_FUNCTION bool rows_may_be_old(int contact) const { return tile_grains > 0 && contact < close; }
 };
 
 /// A grain with more close contacts than incident_place can tell has all its contacts in the list of the close ones.
@@ -81,7 +104,7 @@ inline constexpr int most_places = 255;
 /// Calls visit(contact) for the contacts that grain i owns.
 template <class Visit> KOKKOS_FUNCTION void for_each_owned(ContactList const& list, int i, Visit const& visit)
 {
-    for (int row = i; row < 2 * list.grains(); row += list.grains())
+    for (int row = i; row < list.sections() * list.grains(); row += list.grains())
         for (int c = list.row_begin(row); c < list.row_begin(row + 1); ++c) visit(c);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 template <class Law>
 void launch_pair_kernel(Law const& law, Particles const& particles, PeriodicBox const& box, ContactList const& contacts,
-                        Real dt, StepGate const& gate)
+                        ContactPass const& pass, Real dt, StepGate const& gate)
 {
     static_assert(contact_block % lane_count == 0);
     auto const launch = [&](auto const& evaluation) {
@@ -17,7 +17,7 @@ void launch_pair_kernel(Law const& law, Particles const& particles, PeriodicBox 
     };
     auto const launch_for = [&]<BoxKind kind, bool several>() {
         launch(ContactEvaluation<Law, kind, several>{law, contacts, particles.position, particles.velocity, particles.spin,
-                                                     particles.material, box, dt, gate});
+                                                     particles.material, box, dt, gate, pass});
     };
     auto const launch_in = [&]<BoxKind kind>() {
         if (law.pairs.shared >= 0) launch_for.template operator()<kind, false>();
@@ -31,9 +31,9 @@ void launch_pair_kernel(Law const& law, Particles const& particles, PeriodicBox 
 } // namespace
 
 void evaluate_contacts(AnyContactLaw const& law, Particles const& particles, PeriodicBox const& box,
-                       ContactList const& contacts, Real dt, StepGate const& gate)
+                       ContactList const& contacts, ContactPass const& pass, Real dt, StepGate const& gate)
 {
-    std::visit([&](auto const& chosen) { launch_pair_kernel(chosen, particles, box, contacts, dt, gate); }, law);
+    std::visit([&](auto const& chosen) { launch_pair_kernel(chosen, particles, box, contacts, pass, dt, gate); }, law);
 }
 
 } // namespace arenite

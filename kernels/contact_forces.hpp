@@ -18,7 +18,7 @@ namespace arenite {
 enum class BoxKind { closed, periodic, deforming };
 
 /// lane_count contacts, as the kernel below runs them. A struct and not a lambda, so that the law's compile-time
-/// choices can use `if constexpr` under nvcc. several: there are pairs of different materials.
+/// choices can use `if constexpr` under nvcc. several: there are pairs of different materials. pass: the contacts' part.
 template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
     Law law;
     ContactList list;
@@ -27,15 +27,16 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
     PeriodicBox box;
     Real dt;
     StepGate gate = {};
-    BlockTurns turns{list};
+    ContactPass pass = whole_step(list);
+    BlockTurns turns{pass};
 
     using Numbers = Vector<Lanes>;
 
     KOKKOS_FORCEINLINE_FUNCTION void operator()(int k) const
     {
         if (gate.closed()) return;
-        int const first = turns.begin(list, k), end = Kokkos::min(first + turns.length, turns.blocks);
-        for (int block = first; block < end; ++block) visit(block * lane_count);
+        Range const blocks = turns(k);
+        for (int block = blocks.begin; block < blocks.end; ++block) visit(block * lane_count);
     }
 
     /// Contacts c .. c + lane_count - 1.
@@ -60,13 +61,20 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
 
     KOKKOS_FORCEINLINE_FUNCTION void clear(int c) const
     {
-        if (!any(load_flags(&list.touching(c)))) return;
-        store_flags(LaneMask(false), &list.touching(c));
-        if constexpr (Law::has_history)
-            for (int k = 0; k < 3; ++k) store_lanes(Lanes(0), &list.spring(c, k));
-        if (list.needs.contact_radius) store_lanes(Lanes(0), &list.contact_radius(c));
-        for (int n = 0; n < lane_count; ++n)
-            for (int k = 0; k < 8; ++k) list.force(c + n, k) = 0;
+        if (any(load_flags(&list.touching(c)))) {
+            store_flags(LaneMask(false), &list.touching(c));
+            if constexpr (Law::has_history)
+                for (int k = 0; k < 3; ++k) store_lanes(Lanes(0), &list.spring(c, k));
+            if (list.needs.contact_radius) store_lanes(Lanes(0), &list.contact_radius(c));
+        } else if (!list.rows_may_be_old(c)) return;
+        Real* const rows = force_rows(c);
+        for (int k = 0; k < 8 * lane_count; ++k) rows[k] = 0;
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION Real* force_rows(int c) const
+    {
+        int const row = on_host ? pass.force_row(c) : c;
+        return list.force.data() + 8 * static_cast<std::ptrdiff_t>(row);
     }
 
     /// offset: from the second centres to the first, with its square; reach: the sums of the radii.
@@ -139,7 +147,7 @@ template <class Law, BoxKind kind, bool several> struct ContactEvaluation {
             if (list.needs.contact_radius) store_lanes(state.previous_radius, &list.contact_radius(c));
         }
         Numbers const moment = cross(contact.normal, force);
-        Real* const rows = list.force.data() + 8 * static_cast<std::ptrdiff_t>(c);
+        Real* const rows = force_rows(c);
         store_records({force, arm_i}, rows, 8);
         store_records({moment, arm_j}, rows + 4, 8);
     }

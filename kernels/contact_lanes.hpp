@@ -2,44 +2,58 @@
 // lane_count contacts as a kernel over contacts sees them: their grains' records, and the pairs of materials among them.
 #pragma once
 
-#include "core/contact_list.hpp"
-#include "core/lanes.hpp"
 #include "core/material.hpp"
 #include "kernels/contact/normal_response.hpp"
+#include "kernels/contact_passes.hpp"
 
 #include <algorithm>
 
 namespace arenite {
 
-/// Blocks of lane_count contacts that hold them all.
-inline int blocks_of(ContactList const& list) { return (list.count + lane_count - 1) / lane_count; }
-
-/// How the threads of a host share the blocks of a list. Close contacts are first in it and cost several times what the
-/// others do: both kinds come in turns, in proportion and each in its order, so that threads with as many turns have as much
-/// to do. On a device a turn is one block, and they come as they are.
+/// How the threads of a host share the blocks of a pass. Its close contacts cost several times what the others do: both
+/// kinds come in turns, in proportion and each in its order, so that threads with as many turns have as much to do. On a
+/// device a turn is one block, and they come as they are.
 struct BlockTurns {
-    int blocks = 0, length = 1, count = 0; // length: blocks of a turn
+    Range close, close_across, others;                      // blocks
+    int length = 1;                                         // blocks of a turn
+    int close_turns = 0, across_turns = 0, other_turns = 0; // how many
+    int count = 0;                                          // in all
 
-    BlockTurns(ContactList const& list, int on_host_length)
-        : blocks(blocks_of(list)), length(on_host ? std::max(1, on_host_length) : 1), count((blocks + length - 1) / length)
+    BlockTurns(ContactPass const& pass, int on_host_length)
+        : close(pass.close), close_across(pass.close_across), others(pass.others),
+          length(on_host ? std::max(1, on_host_length) : 1)
     {
+        auto const turns_of = [&](Range const& blocks) { return (blocks.end - blocks.begin + length - 1) / length; };
+        close_turns = turns_of(close);
+        across_turns = turns_of(close_across);
+        other_turns = turns_of(others);
+        count = close_turns + across_turns + other_turns;
     }
     /// Long turns, 16 a thread: the streams through memory begin anew with each.
-    explicit BlockTurns(ContactList const& list) : BlockTurns(list, length_for(list, ExecutionSpace().concurrency())) {}
+    explicit BlockTurns(ContactPass const& pass) : BlockTurns(pass, length_for(pass, ExecutionSpace().concurrency())) {}
 
-    static int length_for(ContactList const& list, int threads)
+    static int length_for(ContactPass const& pass, int threads)
     {
-        return threads == 1 ? blocks_of(list) : std::max(8, blocks_of(list) / (16 * threads));
+        auto const size = [](Range const& blocks) { return blocks.end - blocks.begin; };
+        int const blocks = size(pass.close) + size(pass.close_across) + size(pass.others);
+        return threads == 1 ? blocks : std::max(8, blocks / (16 * threads));
     }
 
-    /// First block of the k-th turn.
-    KOKKOS_FORCEINLINE_FUNCTION int begin(ContactList const& list, int k) const
+    /// Blocks of the k-th turn.
+    KOKKOS_FORCEINLINE_FUNCTION Range operator()(int k) const
     {
-        if constexpr (!on_host) return k;
-        int const close = list.close / (length * lane_count), others = count - close;
-        long long const share = static_cast<long long>(k) * others;
+        if constexpr (!on_host) return {k, k + 1};
+        long long const share = static_cast<long long>(k) * other_turns;
         int const before = static_cast<int>(share / count); // turns of others among those before k
-        return length * (share % count + others >= count ? close + before : k - before);
+        if (share % count + other_turns >= count) return turn_of(others, before);
+        int const n = k - before;
+        return n < close_turns ? turn_of(close, n) : turn_of(close_across, n - close_turns);
+    }
+
+    KOKKOS_FORCEINLINE_FUNCTION Range turn_of(Range const& blocks, int n) const
+    {
+        int const begin = blocks.begin + length * n;
+        return {begin, Kokkos::min(begin + length, blocks.end)};
     }
 };
 

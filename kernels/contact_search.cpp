@@ -3,9 +3,11 @@
 
 #include "core/cell_list.hpp"
 #include "core/error.hpp"
+#include "kernels/contact_passes.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -281,13 +283,23 @@ LevelGrids make_grids(SearchPoints const& points, Bounds const& bounds, Real ski
 
 // ---------------------------------------------------------------- pairs
 
-/// Calls visit(point, close) for every point that makes a pair with grain i as its first; close: 1 where it is, else 0.
+/// Calls visit(point, section) for every point that makes a pair with grain i as its first; section: ContactList's.
 struct PairFinder {
     RecordView position;
     View1<GrainId> id;
     SearchPoints points;
     LevelGrids grids;
     Real skin;
+    int tile_grains;
+
+    KOKKOS_FUNCTION int section_of(int i, int point, bool close) const
+    {
+        if (tile_grains == 0) return close ? Section::close : Section::others;
+        int const partner = points.row.extent(0) > 0 ? points.row(point) : point, tile = i / tile_grains,
+                  other_tile = partner / tile_grains;
+        if (!close) return tile <= other_tile ? Section::others_up : Section::others_down;
+        return tile == other_tile ? Section::close_within : tile < other_tile ? Section::close_up : Section::close_down;
+    }
 
     template <class Visit> KOKKOS_FUNCTION void operator()(int i, Visit const& visit) const
     {
@@ -313,15 +325,15 @@ struct PairFinder {
                         Vec3 const d = x - vector_of(points.position, point);
                         Real const square = dot(d, d), cutoff = radius + other + skin,
                                    near = radius + other + close_share * skin;
-                        if (square < cutoff * cutoff) visit(point, square < near * near ? 1 : 0);
+                        if (square < cutoff * cutoff) visit(point, section_of(i, point, square < near * near));
                     }
                 }
         }
     }
 };
 
-/// The first points that make a pair with a grain, point * 2 + (1 where close): most grains have no more, and need not be
-/// searched for a second time.
+/// The first points that make a pair with a grain, Section::most * point + section: most grains have no more, and need not
+/// be searched for a second time.
 using FoundPoints = Kokkos::View<int* [8], Kokkos::LayoutRight, MemorySpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
 /// In memory that is needed for the records only later.
@@ -331,25 +343,27 @@ FoundPoints found_points_in(RecordView const& records)
     return FoundPoints(reinterpret_cast<int*>(records.data()), records.extent(0));
 }
 
-int count_pairs(PairFinder const& find, int grains, View1<int> const& row_begin, FoundPoints const& found)
+/// Returns how many pairs there are, and where those of each row begin.
+int count_pairs(PairFinder const& find, ContactList const& contacts, FoundPoints const& found)
 {
+    int const grains = contacts.grains(), sections = contacts.sections();
+    View1<int> const row_begin = contacts.row_begin;
     Kokkos::parallel_for(
         "count_pairs", Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, grains),
         KOKKOS_LAMBDA(int i) {
-            int all = 0, close = 0;
-            find(i, [&](int point, int is_close) {
-                if (all < found.extent_int(1)) found(i, all) = 2 * point + is_close;
+            int all = 0, count[Section::most] = {};
+            find(i, [&](int point, int section) {
+                if (all < found.extent_int(1)) found(i, all) = Section::most * point + section;
                 ++all;
-                close += is_close;
+                ++count[section];
             });
-            row_begin(i) = close;
-            row_begin(grains + i) = all - close;
+            for (int section = 0; section < sections; ++section) row_begin(section * grains + i) = count[section];
         });
     std::int64_t total = 0;
     Kokkos::parallel_scan(
-        "scan_pairs", RangePolicy(0, 2 * grains + 1),
+        "scan_pairs", RangePolicy(0, sections * grains + 1),
         KOKKOS_LAMBDA(int row, std::int64_t& sum, bool last) {
-            int const count = row < 2 * grains ? row_begin(row) : 0;
+            int const count = row < sections * grains ? row_begin(row) : 0;
             if (last) row_begin(row) = static_cast<int>(sum);
             sum += count;
         },
@@ -363,7 +377,7 @@ int count_pairs(PairFinder const& find, int grains, View1<int> const& row_begin,
 int count_close(ContactList const& list)
 {
     int close = 0;
-    Kokkos::deep_copy(close, Kokkos::subview(list.row_begin, list.grains()));
+    Kokkos::deep_copy(close, Kokkos::subview(list.row_begin, list.close_sections() * list.grains()));
     return close;
 }
 
@@ -378,20 +392,23 @@ void fill_pairs(PairFinder const& find, FoundPoints const& found, ContactList co
     Kokkos::parallel_for(
         "fill_pairs", Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, grains),
         KOKKOS_LAMBDA(int i) {
-            int filled[2] = {list.row_begin(grains + i), list.row_begin(i)}; // of the others, of the close ones
-            int const first[2] = {filled[0], filled[1]};
-            auto const put = [&](int point, int close) { // insertion by partner id keeps the row sorted
-                int slot = filled[close]++;
-                while (slot > first[close] && id(point_of_contact(slot - 1)) > id(point)) {
+            int first[Section::most], filled[Section::most], pairs = 0;
+            for (int section = 0; section < list.sections(); ++section) {
+                int const row = section * grains + i;
+                first[section] = filled[section] = list.row_begin(row);
+                pairs += list.row_begin(row + 1) - list.row_begin(row);
+            }
+            auto const put = [&](int point, int section) { // insertion by partner id keeps the row sorted
+                int slot = filled[section]++;
+                while (slot > first[section] && id(point_of_contact(slot - 1)) > id(point)) {
                     point_of_contact(slot) = point_of_contact(slot - 1);
                     --slot;
                 }
                 point_of_contact(slot) = point;
             };
-            int const pairs = list.row_begin(i + 1) - first[1] + list.row_begin(grains + i + 1) - first[0];
             if (pairs > found.extent_int(1)) find(i, put);
             else
-                for (int n = 0; n < pairs; ++n) put(found(i, n) / 2, found(i, n) % 2);
+                for (int n = 0; n < pairs; ++n) put(found(i, n) / Section::most, found(i, n) % Section::most);
             for_each_owned(list, i, [&](int c) {
                 int const point = point_of_contact(c);
                 list.first(c) = i;
@@ -497,13 +514,29 @@ void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<in
             for_each_owned(old, old_row, [&](int k) {
                 if (old_id(old.second(k)) != partner) return;
                 list.touching(c) = old.touching(k);
-                for (int n = 0; n < 8; ++n) list.force(c, n) = old.force(k, n);
+                if (old.touching(k)) // else the row may be old
+                    for (int n = 0; n < 8; ++n) list.force(c, n) = old.force(k, n);
                 if (list.needs.bonds && had_bonds) list.adhering(c) = old.adhering(k);
                 if (list.needs.history && had_history)
                     for (int n = 0; n < 3; ++n) list.spring(c, n) = old.spring(k, n);
                 if (keeps_radius) list.contact_radius(c) = old.contact_radius(k);
             });
         });
+}
+
+/// As many as the richest pass asks for.
+int shared_rows(ContactList const& list)
+{
+    int rows = 0;
+    for_each_pass(list, [&](ContactPass const& pass) { rows = std::max(rows, pass.kept.end - pass.kept.begin); });
+    return rows;
+}
+
+int tile_of(SearchSettings const& settings, int grains)
+{
+    if (!on_host || settings.whole_steps) return 0;
+    if (settings.tile_grains > 0) return settings.tile_grains;
+    return grains < least_tiled_grains ? 0 : default_tile_grains;
 }
 
 void allocate_contacts(ContactList& contacts)
@@ -518,7 +551,7 @@ void allocate_contacts(ContactList& contacts)
     if (contacts.needs.bonds) contacts.adhering = View1<std::uint8_t>("contact_adhering", n);
     if (contacts.needs.history) contacts.spring = ContactColumns<3>("contact_spring", n);
     if (contacts.needs.contact_radius) contacts.contact_radius = View1<Real>("contact_radius", n);
-    contacts.force = ForceRows("contact_force", n);
+    contacts.force = ForceRows("contact_force", n + shared_rows(contacts));
     auto const rest = Kokkos::make_pair(contacts.count, n);
     Kokkos::deep_copy(Kokkos::subview(contacts.first, rest), 0);
     Kokkos::deep_copy(Kokkos::subview(contacts.second, Kokkos::make_pair(contacts.count, n + second_ahead)), 0);
@@ -553,7 +586,8 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     View1<GrainId> const old_id = particles.id;
     View1<int> const order = sort_grains(particles, box, settings);
     int const grains = particles.count;
-    contacts.row_begin = View1<int>("contact_row_begin", 2 * grains + 1);
+    contacts.tile_grains = tile_of(settings, grains);
+    contacts.row_begin = View1<int>("contact_row_begin", contacts.sections() * grains + 1);
     contacts.reference_position = RecordView(uninitialized("reference_position"), grains);
     if (grains == 0) {
         allocate_contacts(contacts);
@@ -561,10 +595,11 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     }
     Bounds const bounds = near_box(find_bounds(particles.position, grains), box);
 
-    PairFinder find{particles.position, particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin};
+    PairFinder find{particles.position,  particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin,
+                    contacts.tile_grains};
     find.grids = make_grids(find.points, bounds, skin);
     FoundPoints const found = found_points_in(contacts.reference_position);
-    contacts.count = count_pairs(find, grains, contacts.row_begin, found);
+    contacts.count = count_pairs(find, contacts, found);
     contacts.close = count_close(contacts);
     allocate_contacts(contacts);
     View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);

@@ -114,13 +114,13 @@ template <class Law> struct PairPower {
     View1<std::uint8_t> material;
     View1<std::uint8_t> adhered; // the flags when this was last looked at, which it then follows, or empty
     PeriodicBox box;
-    BlockTurns turns{list, 1};
+    BlockTurns turns{whole_step(list), 1};
 
     /// Of the k-th block.
     KOKKOS_FORCEINLINE_FUNCTION LaneTerms<8> operator()(int k) const
     {
         LaneTerms<8> terms{};
-        int const c = turns.begin(list, k) * lane_count;
+        int const c = turns(k).begin * lane_count;
         if constexpr (Law::adheres)
             if (adhered.extent(0) > 0) terms[7] = adhesion_jumps(c);
         LaneMask touching = load_flags(&list.touching(c));

@@ -10,6 +10,30 @@ namespace {
 /// Grains of a turn: a host looks at the gate once a turn.
 constexpr int turn_length = on_host ? 128 : 1;
 
+/// The half of a contact's force row that is a grain's: entry 2 c + 1 has the second one, with its arm at the end.
+struct RowsOfAll {
+    Real const* force;
+
+    RowsOfAll(ContactList const& list, ContactPass const&) : force(list.force.data()) {}
+    KOKKOS_FORCEINLINE_FUNCTION Real const* half(int entry) const { return force + 4 * static_cast<std::ptrdiff_t>(entry); }
+};
+
+/// With those that passes share.
+struct RowsOfPass : RowsOfAll {
+    int begin, count, shift; // entries
+
+    RowsOfPass(ContactList const& list, ContactPass const& pass)
+        : RowsOfAll(list, pass), begin(2 * pass.kept.begin), count(2 * (pass.kept.end - pass.kept.begin)),
+          shift(2 * pass.shift)
+    {
+    }
+    KOKKOS_FORCEINLINE_FUNCTION Real const* half(int entry) const
+    {
+        bool const shares = static_cast<unsigned>(entry - begin) < static_cast<unsigned>(count);
+        return RowsOfAll::half(entry + (-static_cast<int>(shares) & shift));
+    }
+};
+
 /// What both halves of the kick need; one struct for the three kernels, so that they share every expression. A record takes
 /// one instruction; its fourth number (radius, mass, moment of inertia) keeps its value, since what is added there is 0.
 struct GrainStep {
@@ -20,6 +44,7 @@ struct GrainStep {
     Particles grains;
     ContactList contacts;
     WallForceRows walls;
+    Range part; // rows of the grains
     Kokkos::View<unsigned, MemorySpace> health;
     Kokkos::View<int, MemorySpace> stale_step;
     Kokkos::View<int, PinnedSpace> notice;
@@ -42,20 +67,14 @@ struct GrainStep {
         store_record(quad, record(view, i));
     }
 
-    /// The half of a contact's row that is the grain's: entry 2 c + 1 has the second one, with its arm at the end.
-    KOKKOS_FORCEINLINE_FUNCTION Real const* half_row(int entry) const
-    {
-        return contacts.force.data() + 4 * static_cast<std::ptrdiff_t>(entry);
-    }
-
     /// Of the grain's contacts that may carry a force, in the order of their partners' ids.
-    KOKKOS_FORCEINLINE_FUNCTION Load gather(int i) const
+    template <class Rows> KOKKOS_FORCEINLINE_FUNCTION Load gather(Rows const& rows, int i) const
     {
         Quad forces{}, torques{};
         auto const add = [&](int entry) {
             // Without a branch: rows that do not touch are zero.
             int const second = entry & 1;
-            Real const* const half = half_row(entry);
+            Real const* const half = rows.half(entry);
             Real const* const row = half - 4 * second;
             forces += negated_if(second, load_record(row));
             torques -= half[3] * load_record(row + 4); // (-arm n) x F on both sides
@@ -72,7 +91,7 @@ struct GrainStep {
             }
         }
         for (; k < end; ++k) {
-            prefetch(half_row(contacts.incident(k + incident_ahead)));
+            prefetch(rows.half(contacts.incident(k + incident_ahead)));
             add(contacts.incident(k));
         }
         if (has_walls)
@@ -85,9 +104,10 @@ struct GrainStep {
     }
 
     /// Of everything that acts; velocity and spin as they are.
-    KOKKOS_FORCEINLINE_FUNCTION Load load(int i, Quad const& velocity, Quad const& spin) const
+    template <class Rows>
+    KOKKOS_FORCEINLINE_FUNCTION Load load(Rows const& rows, int i, Quad const& velocity, Quad const& spin) const
     {
-        Load sum = gather(i);
+        Load sum = gather(rows, i);
         if (has_fluid) sum.force += read(grains.fluid_force, i);
         if (has_applied) sum.force += read(grains.applied_force, i);
         sum.force += velocity[3] * gravity; // of the mass
@@ -128,10 +148,12 @@ struct GrainStep {
 };
 
 struct Kick : GrainStep {
+    RowsOfAll rows;
+
     KOKKOS_FORCEINLINE_FUNCTION void visit(int i) const
     {
         Quad const velocity = read(grains.velocity, i), spin = read(grains.spin, i);
-        Load const sum = load(i, velocity, spin);
+        Load const sum = load(rows, i, velocity, spin);
         if (!(sum_of_three(sum.square()) < Real(1e300))) set_not_finite();
         write(three_times(1) * sum.force, grains.force, i);
         write(three_times(1) * sum.torque, grains.torque, i);
@@ -156,12 +178,14 @@ struct Drift : GrainStep {
     }
 };
 
-struct KickAndDrift : GrainStep {
+template <class Rows> struct KickAndDrift : GrainStep {
+    Rows rows;
+
     KOKKOS_FORCEINLINE_FUNCTION void visit(int i) const
     {
         Quad velocity = read(grains.velocity, i);
         Quad const spin = read(grains.spin, i);
-        Load const sum = load(i, velocity, spin);
+        Load const sum = load(rows, i, velocity, spin);
         Motion const motion = grains.motion(i);
         if (motion == Motion::free) {
             Quad const kick = half_kick(velocity, sum.force), turn = half_kick(spin, sum.torque);
@@ -179,19 +203,19 @@ template <class Step> struct Turns {
     KOKKOS_FUNCTION void operator()(int turn) const
     {
         if (step.gate.closed()) return;
-        int const begin = turn * turn_length, end = Kokkos::min(begin + turn_length, step.grains.count);
+        int const begin = step.part.begin + turn * turn_length, end = Kokkos::min(begin + turn_length, step.part.end);
         for (int i = begin; i < end; ++i) step.visit(i);
     }
 };
 
-template <class Step> void launch(char const* name, GrainStep const& step)
+template <class Step> void launch(char const* name, Step const& step)
 {
-    int const turns = (step.grains.count + turn_length - 1) / turn_length;
-    for_each_turn(name, turns, Turns<Step>{{step}});
+    int const turns = (step.part.end - step.part.begin + turn_length - 1) / turn_length;
+    for_each_turn(name, turns, Turns<Step>{step});
 }
 
 GrainStep make_step(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
-                    ContactList const& contacts, WallForceRows const& walls)
+                    ContactList const& contacts, WallForceRows const& walls, ContactPass const& pass)
 {
     return {settings,
             Real(0.5) * settings.dt,
@@ -203,6 +227,7 @@ GrainStep make_step(Integrator const& integrator, StepSettings const& settings, 
             particles,
             contacts,
             walls,
+            pass.grains,
             integrator.health,
             integrator.stale_step,
             integrator.notice,
@@ -223,20 +248,26 @@ Integrator::Integrator() : health("health"), stale_step(uninitialized("stale_ste
 void kick(Integrator const& integrator, StepSettings const& settings, Particles const& particles,
           ContactList const& contacts, WallForceRows const& walls)
 {
-    launch<Kick>("kick", make_step(integrator, settings, particles, contacts, walls));
+    ContactPass const all = whole_step(contacts);
+    launch("kick", Kick{make_step(integrator, settings, particles, contacts, walls, all), RowsOfAll(contacts, all)});
 }
 
 void drift(Integrator& integrator, StepSettings const& settings, Particles const& particles, ContactList const& contacts)
 {
-    launch<Drift>("drift", make_step(integrator, settings, particles, contacts, {}));
+    launch("drift", Drift{make_step(integrator, settings, particles, contacts, {}, whole_step(contacts))});
     ++integrator.step;
 }
 
 void kick_and_drift(Integrator& integrator, StepSettings const& settings, Particles const& particles,
-                    ContactList const& contacts, WallForceRows const& walls)
+                    ContactList const& contacts, WallForceRows const& walls, ContactPass const& pass)
 {
-    launch<KickAndDrift>("kick_and_drift", make_step(integrator, settings, particles, contacts, walls));
-    ++integrator.step;
+    auto const launch_with = [&]<class Rows>() {
+        launch("kick_and_drift",
+               KickAndDrift<Rows>{make_step(integrator, settings, particles, contacts, walls, pass), Rows(contacts, pass)});
+    };
+    if (pass.kept.begin == pass.kept.end) launch_with.template operator()<RowsOfAll>();
+    else if constexpr (on_host) launch_with.template operator()<RowsOfPass>();
+    if (pass.last) ++integrator.step;
 }
 
 unsigned read_health(Integrator const& integrator)

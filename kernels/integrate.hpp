@@ -5,8 +5,8 @@
 // that writing output does not change a bit. The host may launch steps ahead of what it knows (step_gate.hpp).
 #pragma once
 
-#include "core/contact_list.hpp"
 #include "core/particles.hpp"
+#include "kernels/contact_passes.hpp"
 #include "kernels/step_gate.hpp"
 
 namespace arenite {
@@ -51,8 +51,14 @@ void kick(Integrator const&, StepSettings const&, Particles const&, ContactList 
 /// First half of the next kick from the stored forces, then the move. Closes the gate if a grain has moved too far.
 void drift(Integrator&, StepSettings const&, Particles const&, ContactList const&);
 
-/// kick and drift in one kernel; leaves particles.force as it was.
-void kick_and_drift(Integrator&, StepSettings const&, Particles const&, ContactList const&, WallForceRows const&);
+/// kick and drift in one kernel; leaves particles.force as it was. With a pass: of its grains alone.
+void kick_and_drift(Integrator&, StepSettings const&, Particles const&, ContactList const&, WallForceRows const&,
+                    ContactPass const&);
+inline void kick_and_drift(Integrator& integrator, StepSettings const& settings, Particles const& particles,
+                           ContactList const& contacts, WallForceRows const& walls)
+{
+    kick_and_drift(integrator, settings, particles, contacts, walls, whole_step(contacts));
+}
 
 /// Health bits so far. Waits for the device.
 unsigned read_health(Integrator const&);

@@ -1,7 +1,7 @@
 # Tests of the grains: contact laws, search, integrator. Pairs and small packs gain nothing from threads, so
 # these run on one; the determinism tests set their own number.
 arenite_test(test_grains unit unit/test_jkr.cpp unit/test_material.cpp unit/test_tangential.cpp unit/test_contact_forces.cpp
-  unit/test_contact_search.cpp unit/test_integrate.cpp unit/test_verify.cpp LINK arenite_verify)
+  unit/test_contact_passes.cpp unit/test_contact_search.cpp unit/test_integrate.cpp unit/test_verify.cpp LINK arenite_verify)
 set_tests_properties(test_grains PROPERTIES ENVIRONMENT "OMP_NUM_THREADS=1;OMP_PROC_BIND=false")
 
 arenite_test(test_core unit unit/test_lanes.cpp unit/test_large_pages.cpp ../apps/large_pages.cpp unit/test_turns.cpp

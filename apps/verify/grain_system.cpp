@@ -47,15 +47,18 @@ void rebuild(GrainSystem& system)
     SearchSettings search;
     search.skin = system.settings.skin;
     search.needs = contact_needs(system.law, system.pairs);
+    search.tile_grains = system.settings.tile_grains;
     search_contacts(system.particles, system.settings.box, search, system.contacts);
     ++system.rebuilds;
 }
 
-void evaluate(GrainSystem& system)
+void evaluate(GrainSystem& system, ContactPass const& pass)
 {
-    evaluate_contacts(system.law, system.particles, system.settings.box, system.contacts, system.settings.dt,
+    evaluate_contacts(system.law, system.particles, system.settings.box, system.contacts, pass, system.settings.dt,
                       system.integrator.gate());
 }
+
+void evaluate(GrainSystem& system) { evaluate(system, whole_step(system.contacts)); }
 
 GrainSystem make_system(SystemSettings const& settings)
 {
@@ -83,14 +86,19 @@ void advance(GrainSystem& system, int steps)
     bool const fused = system.settings.fused;
     for (int n = 0; n < steps; ++n) {
         if (!fused || n == 0) drift(system.integrator, step, system.particles, system.contacts);
-        else kick_and_drift(system.integrator, step, system.particles, system.contacts, {});
         deform_box(system);
         ++system.steps;
         int const interval = system.settings.rebuild_interval;
         bool const stale = take_stale(system.integrator) >= 0;
         if (stale || (interval > 0 && system.steps % interval == 0)) rebuild(system);
-        evaluate(system);
-        if (!fused || n == steps - 1) kick(system.integrator, step, system.particles, system.contacts, {});
+        if (!fused || n == steps - 1) {
+            evaluate(system);
+            kick(system.integrator, step, system.particles, system.contacts, {});
+        } else
+            for_each_pass(system.contacts, [&](ContactPass const& pass) {
+                evaluate(system, pass);
+                kick_and_drift(system.integrator, step, system.particles, system.contacts, {}, pass);
+            });
     }
 }
 

@@ -23,6 +23,7 @@ struct SystemSettings {
     bool start_bonded = false; // contacts that exist at the start are bonds
     bool fused = false;        // kick and drift of neighbouring steps as one kernel
     int rebuild_interval = 0;  // steps; 0: only when the list is stale
+    int tile_grains = 0;       // SearchSettings'
 };
 
 inline Grain make_grain(GrainId id, Vec3 const& position, Real diameter, Vec3 const& velocity = {}, Vec3 const& spin = {})
@@ -59,6 +60,7 @@ void place(GrainSystem& system, GrainId id, Vec3 const& position, Vec3 const& ve
 
 /// Contact forces and the springs' next state at the present positions, as if a step of dt had led here.
 void evaluate(GrainSystem& system);
+void evaluate(GrainSystem& system, ContactPass const& pass); // of its contacts alone
 
 std::vector<Grain> grains_by_id(GrainSystem const& system);
 Vec3 force_on(GrainSystem const& system, GrainId id);

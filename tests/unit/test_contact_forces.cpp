@@ -190,18 +190,21 @@ TEST(ContactForces, DoNotDependOnWhoSharesTheVector)
     EXPECT_EQ(touching, 11);
 }
 
-/// How often each block of a list of so many contacts comes, `close` of them close.
-std::vector<int> visits(int contacts, int close, int length)
+/// How often each block of a list of so many contacts comes, `close` of them close, `across` of these across tiles.
+std::vector<int> visits(int contacts, int close, int across, int length)
 {
     ContactList list;
     list.count = contacts;
     list.close = close;
-    BlockTurns const turns(list, length);
+    ContactPass pass = whole_step(list);
+    pass.close_across = {std::max(0, pass.close.end - across), pass.close.end};
+    pass.close.end = pass.close_across.begin;
+    BlockTurns const turns(pass, length);
     View1<int> const count("visits", blocks_of(list));
     Kokkos::parallel_for(
         "visits", RangePolicy(0, turns.count), KOKKOS_LAMBDA(int k) {
-            int const first = turns.begin(list, k), end = Kokkos::min(first + turns.length, turns.blocks);
-            for (int block = first; block < end; ++block) Kokkos::atomic_inc(&count(block));
+            Range const blocks = turns(k);
+            for (int block = blocks.begin; block < blocks.end; ++block) Kokkos::atomic_inc(&count(block));
         });
     auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), count);
     return {host.data(), host.data() + host.extent(0)};
@@ -285,7 +288,9 @@ TEST(ContactForces, TurnsVisitEveryBlockOnce)
     for (int const contacts : {0, 1, 8, 9, 803, 4096})
         for (int const close : {0, 1, contacts / 3, contacts - 1, contacts})
             for (int const length : {1, 3, 8, 1000})
-                for (int const times : visits(contacts, std::clamp(close, 0, contacts), length)) EXPECT_EQ(times, 1);
+                for (int const across : {0, 1, 7})
+                    for (int const times : visits(contacts, std::clamp(close, 0, contacts), across, length))
+                        EXPECT_EQ(times, 1);
 }
 
 } // namespace

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// A step in parts is the step: what each part has to do, and the same bits.
+#include "apps/verify/packs.hpp"
+#include "kernels/contact_passes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace arenite {
+namespace {
+
+SystemSettings colliding_pack(NormalLaw law, bool periodic)
+{
+    PackSettings pack;
+    pack.count = 1500;
+    pack.box = 2.4e-3;
+    pack.largest = 0.24e-3;
+    pack.size_ratio = 2.4;
+    pack.speed = 3;
+    pack.spin = 3000;
+    pack.lattice = true;
+    SystemSettings settings;
+    settings.grains = random_pack(pack);
+    settings.materials = {with(sand(), 0.8, 0.3)};
+    settings.contact = contact_settings(law, DampingLaw::restitution, TangentialLaw::secant);
+    settings.box.upper = {pack.box, pack.box, pack.box};
+    for (bool& axis : settings.box.periodic) axis = periodic;
+    settings.skin = 2e-5;
+    settings.dt = 2e-8;
+    settings.start_bonded = law != NormalLaw::hertz;
+    settings.fused = true;
+    return settings;
+}
+
+/// The passes of a step with so many tiles at a time, as for_each_pass makes them for as many threads.
+std::vector<ContactPass> passes_of(ContactList const& list, int together)
+{
+    TileBlocks const blocks(list);
+    std::vector<ContactPass> passes{blocks.beforehand()};
+    for (int tile = 0; blocks.first_grain(tile) < list.grains(); tile += together)
+        passes.push_back(blocks.pass_of(tile, tile + together));
+    return passes;
+}
+
+TEST(ContactPasses, MoveAGrainOnceAllItsContactsAreEvaluated)
+{
+    if (!on_host) GTEST_SKIP() << "a device makes a step in one part";
+    for (bool const periodic : {false, true})
+        for (int const tile : {1, 7, 64, 400, 1499, 1500, 2000})
+            for (int const together : {1, 2, 5}) {
+                SCOPED_TRACE(testing::Message() << "tiles of " << tile << ", " << together << " at a time, " << periodic);
+                SystemSettings settings = colliding_pack(NormalLaw::hertz, periodic);
+                settings.tile_grains = tile;
+                GrainSystem const system = make_system(settings);
+                ContactList const& list = system.contacts;
+                ASSERT_EQ(list.tile_grains, tile);
+                std::vector<int> evaluated(blocks_of(list)), moved(list.grains()), left(list.grains());
+                for (int c = 0; c < list.count; ++c) ++left[list.first(c)], ++left[list.second(c)];
+                std::vector<ContactPass> const passes = passes_of(list, together);
+                int kept = 0;
+                for (ContactPass const& pass : passes) {
+                    std::vector<int> taken(list.touching.extent(0) + pass.kept.end - pass.kept.begin);
+                    if (together == ExecutionSpace().concurrency()) { EXPECT_LE(taken.size(), list.force.extent(0)); }
+                    for (Range const& blocks : {pass.close, pass.close_across, pass.others})
+                        for (int block = blocks.begin; block < blocks.end; ++block) {
+                            ++evaluated[block];
+                            for (int c = block * lane_count; c < (block + 1) * lane_count; ++c) {
+                                // A block's rows follow each other, and no other contact of the pass has them.
+                                EXPECT_EQ(pass.force_row(c), pass.force_row(block * lane_count) + c - block * lane_count);
+                                ASSERT_LT(pass.force_row(c), static_cast<int>(taken.size()));
+                                EXPECT_EQ(++taken[pass.force_row(c)], 1);
+                                if (c >= list.count) continue;
+                                int const i = list.first(c), j = list.second(c);
+                                EXPECT_TRUE(moved[i] == 0 && moved[j] == 0) << "a contact of grains that have moved";
+                                --left[i], --left[j];
+                                if (pass.force_row(c) == c) continue;
+                                ++kept; // the rows of the next pass: both grains have to be here
+                                EXPECT_TRUE(std::min(i, j) >= pass.grains.begin && std::max(i, j) < pass.grains.end);
+                                EXPECT_GE(pass.force_row(c), list.touching.extent_int(0));
+                            }
+                        }
+                    for (int i = pass.grains.begin; i < pass.grains.end; ++i) {
+                        EXPECT_EQ(left[i], 0) << "a grain without all its contacts";
+                        ++moved[i];
+                    }
+                    EXPECT_EQ(pass.last, &pass == &passes.back());
+                }
+                EXPECT_EQ(std::count(evaluated.begin(), evaluated.end(), 1), blocks_of(list));
+                EXPECT_EQ(std::count(moved.begin(), moved.end(), 1), list.grains());
+                if (tile >= 64) { EXPECT_GT(kept, list.close / 4); }
+            }
+}
+
+TEST(ContactPasses, LeaveTheBitsAsTheyAre)
+{
+    for (NormalLaw const law : {NormalLaw::hertz, NormalLaw::modified_jkr})
+        for (bool const periodic : {false, true}) {
+            SystemSettings settings = colliding_pack(law, periodic);
+            GrainSystem whole = make_system(settings);
+            std::vector<std::uint64_t> hashes; // also where a step is made in one part and forces are looked at
+            for (int const steps : {40, 1, 60, 50}) {
+                advance(whole, steps);
+                hashes.push_back(state_hash(whole));
+            }
+            EXPECT_GT(whole.rebuilds, 3);
+            for (int const tile : {1, 13, 100, 700}) {
+                settings.tile_grains = tile;
+                GrainSystem tiled = make_system(settings);
+                std::vector<std::uint64_t> same;
+                for (int const steps : {40, 1, 60, 50}) {
+                    advance(tiled, steps);
+                    same.push_back(state_hash(tiled));
+                }
+                EXPECT_EQ(hashes, same) << "tiles of " << tile;
+                EXPECT_EQ(tiled.rebuilds, whole.rebuilds);
+            }
+        }
+}
+
+/// Rows that a grain gathers must not hold what another contact, or an earlier step, left there.
+TEST(ContactPasses, ForgetForcesOfContactsThatCameApart)
+{
+    for (NormalLaw const law : {NormalLaw::hertz, NormalLaw::modified_jkr}) {
+        SystemSettings settings = colliding_pack(law, false);
+        settings.skin = 1e-3; // a list lasts long: pairs come apart in it
+        settings.start_bonded = false;
+        GrainSystem whole = make_system(settings);
+        settings.tile_grains = 100;
+        GrainSystem tiled = make_system(settings);
+        for (int n = 0; n < 30; ++n) {
+            advance(whole, 1 + n);
+            advance(tiled, 1 + n);
+            ASSERT_EQ(state_hash(whole), state_hash(tiled)) << n;
+        }
+        EXPECT_LT(whole.rebuilds, 10);
+    }
+}
+
+} // namespace
+} // namespace arenite
