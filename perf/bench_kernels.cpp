@@ -47,7 +47,7 @@ template <class Work> void repeat(benchmark::State& state, int items, Work const
 template <NormalLaw law> void evaluate_contacts(benchmark::State& state)
 {
     CoupledPack& pack = pack_of(law);
-    repeat(state, pack.state.particles.count, [&] { pack.forces.evaluate(pack.step.dt); });
+    repeat(state, pack.state.particles.count, [&] { evaluate_all(pack.forces, pack.state, pack.step.dt); });
 }
 
 void kick_and_drift(benchmark::State& state)
