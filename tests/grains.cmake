@@ -19,7 +19,7 @@ endforeach()
 
 add_executable(hash_pack determinism/hash_pack.cpp)
 target_link_libraries(hash_pack PRIVATE arenite_verify)
-foreach(box open periodic)
+foreach(box open periodic tiled)
   add_test(NAME threads_give_equal_bits_${box}
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:hash_pack> -D ARGUMENTS=${box}
       -P ${CMAKE_CURRENT_SOURCE_DIR}/determinism/compare_threads.cmake)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Prints the hash of a pack's state after some hundred steps; compare_threads.cmake runs it on one thread
-// and on two. Arguments beside Kokkos' own: "periodic" for a periodic box.
+// and on two. Arguments beside Kokkos' own: "periodic" for a periodic box, "tiled" for steps in parts, of a tile a thread.
 #include "apps/verify/packs.hpp"
 
 #include <cstdio>
-#include <cstring>
+#include <string>
 
 namespace {
 
-arenite::SystemSettings pack_of(bool periodic)
+arenite::SystemSettings pack_of(std::string const& kind)
 {
     arenite::PackSettings pack;
     pack.count = 1500;
@@ -24,9 +24,11 @@ arenite::SystemSettings pack_of(bool periodic)
     settings.contact =
         arenite::contact_settings(arenite::NormalLaw::jkr, arenite::DampingLaw::restitution, arenite::TangentialLaw::secant);
     settings.box.upper = {pack.box, pack.box, pack.box};
-    for (bool& axis : settings.box.periodic) axis = periodic;
+    for (bool& axis : settings.box.periodic) axis = kind == "periodic";
     settings.skin = 2e-5;
     settings.dt = 2e-8;
+    settings.fused = kind == "tiled";
+    settings.tile_grains = kind == "tiled" ? 100 : 0;
     return settings;
 }
 
@@ -35,9 +37,7 @@ arenite::SystemSettings pack_of(bool periodic)
 int main(int argc, char** argv)
 {
     Kokkos::ScopeGuard const kokkos(argc, argv);
-    bool periodic = false;
-    for (int n = 1; n < argc; ++n) periodic = periodic || std::strcmp(argv[n], "periodic") == 0;
-    arenite::GrainSystem system = arenite::make_system(pack_of(periodic));
+    arenite::GrainSystem system = arenite::make_system(pack_of(argc > 1 ? argv[1] : ""));
     arenite::advance(system, 150);
     std::printf("hash %016llx, %lld searches\n", static_cast<unsigned long long>(arenite::state_hash(system)),
                 system.rebuilds);
