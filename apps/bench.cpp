@@ -95,8 +95,8 @@ void add_memory(BenchRun const& run, Fields& fields)
 /// The step's cost and, where asked for, the shares of the machine's limits that it reaches.
 void add_roofline(BenchRun const& run, NormalLaw law, bool limits, Fields& fields)
 {
-    StepCost const cost = step_cost(law, {run.contacts_per_grain, run.candidates_per_grain, run.gathered_per_grain,
-                                          run.shared_per_grain, run.in_passes});
+    StepCost const cost =
+        step_cost(law, {run.contacts_per_grain, run.candidates_per_grain, run.gathered_per_grain, run.shared_per_grain});
     fields.emplace_back("bytes_per_particle_step", number(cost.bytes));
     fields.emplace_back("flops_per_particle_step", number(cost.flops));
     if (!limits) return;

@@ -88,7 +88,7 @@ StepCost step_cost(NormalLaw law, StepCounts const& per_grain)
     double const contacts = per_grain.contacts, candidates = per_grain.candidates, gathered = per_grain.gathered;
     StepCost cost;
     cost.bytes = candidates * (9 + jkr) + gathered * 72 + contacts * (129 + 9 * jkr) + 96 + 234;
-    if (per_grain.in_passes) cost.bytes -= 64 * (per_grain.shared + std::min(per_grain.shared, contacts)) + 96;
+    if (per_grain.shared > 0) cost.bytes -= 64 * (per_grain.shared + std::min(per_grain.shared, contacts)) + 96;
     cost.flops = candidates * 9 + gathered * 24 + contacts * (235 + (jkr ? 61 : 5)) + 73;
     return cost;
 }

@@ -24,8 +24,7 @@ struct StepCost {
 struct StepCounts {
     double contacts = 0, candidates = 0;
     double gathered = 0; // rows of forces: of the close candidates, and of all of a grain that is awake
-    double shared = 0;   // of these, rows that the passes of a step share (kernels/contact_passes.hpp)
-    bool in_passes = false;
+    double shared = 0;   // of these, rows that the passes of a step share (kernels/contact_passes.hpp); 0: one pass
 };
 StepCost step_cost(NormalLaw law, StepCounts const& per_grain);
 

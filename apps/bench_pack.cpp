@@ -269,10 +269,7 @@ BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
     run.candidates_per_grain = static_cast<double>(state.contacts.count) / run.grains;
     run.gathered_per_grain = gathered_rows(state.contacts) / run.grains;
     double shared = 0;
-    for_each_pass(state.contacts, [&](ContactPass const& pass) {
-        shared += pass.kept.end - pass.kept.begin;
-        run.in_passes = run.in_passes || !pass.last;
-    });
+    for_each_pass(state.contacts, [&](ContactPass const& pass) { shared += pass.force_row.count; });
     run.shared_per_grain = shared / run.grains;
     run.contacts_per_grain = static_cast<double>(prepared.forces.report().touching) / run.grains;
     run.state_hash = hash_state(state.particles);

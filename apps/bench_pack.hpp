@@ -39,7 +39,6 @@ struct BenchRun {
     long long steps = 0, searches = 0;
     int grains = 0;
     double candidates_per_grain = 0, contacts_per_grain = 0, gathered_per_grain = 0, shared_per_grain = 0; // rows
-    bool in_passes = false;                                                                                // of a step
     unsigned long long state_hash = 0;    // of positions, velocities and spins in the order of the ids
     double one_search = 0;                // s, of a search after the timed steps
     std::map<std::string, double> memory; // bytes after the timed steps, by View

@@ -14,34 +14,42 @@
 
 namespace arenite {
 
-/// Blocks of lane_count contacts that hold them all.
-inline int blocks_of(ContactList const& list) { return (list.count + lane_count - 1) / lane_count; }
+/// Blocks of lane_count contacts that hold so many, or all.
+inline int blocks_holding(int contacts) { return (contacts + lane_count - 1) / lane_count; }
+inline int blocks_of(ContactList const& list) { return blocks_holding(list.count); }
 
 /// From one to before another.
 struct Range {
     int begin = 0, end = 0;
 };
 
+/// Where the force rows of a pass are in ContactList::force: those of `count` contacts from `begin` on, a whole number of
+/// blocks, are shifted to the rows that all passes share.
+struct SharedRows {
+    int begin = 0, count = 0, shift = 0;
+
+    /// Without a branch: contacts across tiles are anywhere among the others.
+    KOKKOS_FORCEINLINE_FUNCTION int operator()(int contact) const
+    {
+        bool const shares = static_cast<unsigned>(contact - begin) < static_cast<unsigned>(count);
+        return contact + (-static_cast<int>(shares) & shift);
+    }
+    /// The same of incident entries, two a contact.
+    SharedRows of_entries() const { return {2 * begin, 2 * count, 2 * shift}; }
+};
+
 /// A part of a step: blocks of contacts to evaluate, then the grains to move, whose contacts are evaluated by then.
 struct ContactPass {
     Range close, close_across, others; // blocks
     Range grains;                      // rows
-    Range kept;                        // contacts whose force rows the passes share, a whole number of blocks
-    int shift = 0;                     // from such a contact to its row
+    SharedRows force_row;              // of a contact
     bool last = true;
-
-    /// In ContactList::force. Without a branch: contacts across tiles are anywhere among the others.
-    KOKKOS_FORCEINLINE_FUNCTION int force_row(int contact) const
-    {
-        bool const shares = static_cast<unsigned>(contact - kept.begin) < static_cast<unsigned>(kept.end - kept.begin);
-        return contact + (-static_cast<int>(shares) & shift);
-    }
 };
 
 /// The step in one part.
 inline ContactPass whole_step(ContactList const& list)
 {
-    int const blocks = blocks_of(list), close = std::min(blocks, (list.close + lane_count - 1) / lane_count);
+    int const blocks = blocks_of(list), close = std::min(blocks, blocks_holding(list.close));
     ContactPass pass;
     pass.close = {0, close};
     pass.others = {close, blocks};
@@ -70,14 +78,12 @@ struct TileBlocks {
     }
     Range blocks_within(int section, int from) const
     {
-        int const begin = std::max(from, (begin_of(section, 0) + lane_count - 1) / lane_count);
+        int const begin = std::max(from, blocks_holding(begin_of(section, 0)));
         return {begin, std::max(begin, begin_of(section + 1, 0) / lane_count)};
     }
     Range of_tiles(int section, Range const& all, int first, int end) const
     {
-        auto const begin = [&](int tile) {
-            return std::clamp((begin_of(section, tile) + lane_count - 1) / lane_count, all.begin, all.end);
-        };
+        auto const begin = [&](int tile) { return std::clamp(blocks_holding(begin_of(section, tile)), all.begin, all.end); };
         return {begin(first), begin(end)};
     }
 
@@ -99,25 +105,38 @@ struct TileBlocks {
         pass.close_across = of_tiles(Section::close_up, up, first, end);
         pass.others = of_tiles(Section::others_up, others, first, end);
         pass.grains = {first_grain(first), first_grain(end)};
-        int const full = std::clamp(begin_of(Section::close_within, end) / lane_count, pass.close.begin, pass.close.end);
-        pass.kept = {pass.close.begin * lane_count, full * lane_count};
-        pass.shift = list.touching.extent_int(0) - pass.kept.begin;
+        int const full = std::clamp(begin_of(Section::close_within, end) / lane_count, pass.close.begin, pass.close.end),
+                  shared = pass.close.begin * lane_count;
+        pass.force_row = {shared, full * lane_count - shared, list.touching.extent_int(0) - shared};
         pass.last = pass.grains.end == list.grains();
         return pass;
     }
 };
 
-/// Calls visit(pass) for the parts of a step, one after the other. One tile a thread makes a part.
-template <class Visit> void for_each_pass(ContactList const& list, Visit const& visit)
+/// Calls visit(pass) for the parts of a step, one after the other, each of `together` tiles.
+template <class Visit> void for_each_pass(ContactList const& list, int together, Visit const& visit)
 {
     if (!on_host || list.tile_grains == 0) return visit(whole_step(list));
     if constexpr (on_host) {
         TileBlocks const blocks(list);
         visit(blocks.beforehand());
-        int const together = ExecutionSpace().concurrency();
         for (int tile = 0; blocks.first_grain(tile) < list.grains(); tile += together)
             visit(blocks.pass_of(tile, tile + together));
     }
+}
+
+/// As a step is made: of a tile a thread.
+template <class Visit> void for_each_pass(ContactList const& list, Visit const& visit)
+{
+    for_each_pass(list, ExecutionSpace().concurrency(), visit);
+}
+
+/// Rows of forces that the passes of a step share: as many as the richest of them asks for.
+inline int shared_rows(ContactList const& list, int together)
+{
+    int rows = 0;
+    for_each_pass(list, together, [&](ContactPass const& pass) { rows = std::max(rows, pass.force_row.count); });
+    return rows;
 }
 
 } // namespace arenite

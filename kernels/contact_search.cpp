@@ -283,7 +283,7 @@ LevelGrids make_grids(SearchPoints const& points, Bounds const& bounds, Real ski
 
 // ---------------------------------------------------------------- pairs
 
-/// Calls visit(point, section) for every point that makes a pair with grain i as its first; section: ContactList's.
+/// Calls visit(point, section) for every point that makes a pair with grain i as its first; section: a Section.
 struct PairFinder {
     RecordView position;
     View1<GrainId> id;
@@ -524,14 +524,7 @@ void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<in
         });
 }
 
-/// As many as the richest pass asks for.
-int shared_rows(ContactList const& list)
-{
-    int rows = 0;
-    for_each_pass(list, [&](ContactPass const& pass) { rows = std::max(rows, pass.kept.end - pass.kept.begin); });
-    return rows;
-}
-
+/// Grains of a tile of the list, or 0.
 int tile_of(SearchSettings const& settings, int grains)
 {
     if (!on_host || settings.whole_steps) return 0;
@@ -551,7 +544,7 @@ void allocate_contacts(ContactList& contacts)
     if (contacts.needs.bonds) contacts.adhering = View1<std::uint8_t>("contact_adhering", n);
     if (contacts.needs.history) contacts.spring = ContactColumns<3>("contact_spring", n);
     if (contacts.needs.contact_radius) contacts.contact_radius = View1<Real>("contact_radius", n);
-    contacts.force = ForceRows("contact_force", n + shared_rows(contacts));
+    contacts.force = ForceRows("contact_force", n + shared_rows(contacts, ExecutionSpace().concurrency()));
     auto const rest = Kokkos::make_pair(contacts.count, n);
     Kokkos::deep_copy(Kokkos::subview(contacts.first, rest), 0);
     Kokkos::deep_copy(Kokkos::subview(contacts.second, Kokkos::make_pair(contacts.count, n + second_ahead)), 0);

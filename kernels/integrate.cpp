@@ -20,18 +20,13 @@ struct RowsOfAll {
 
 /// With those that passes share.
 struct RowsOfPass : RowsOfAll {
-    int begin, count, shift; // entries
+    SharedRows entries;
 
     RowsOfPass(ContactList const& list, ContactPass const& pass)
-        : RowsOfAll(list, pass), begin(2 * pass.kept.begin), count(2 * (pass.kept.end - pass.kept.begin)),
-          shift(2 * pass.shift)
+        : RowsOfAll(list, pass), entries(pass.force_row.of_entries())
     {
     }
-    KOKKOS_FORCEINLINE_FUNCTION Real const* half(int entry) const
-    {
-        bool const shares = static_cast<unsigned>(entry - begin) < static_cast<unsigned>(count);
-        return RowsOfAll::half(entry + (-static_cast<int>(shares) & shift));
-    }
+    KOKKOS_FORCEINLINE_FUNCTION Real const* half(int entry) const { return RowsOfAll::half(entries(entry)); }
 };
 
 /// What both halves of the kick need; one struct for the three kernels, so that they share every expression. A record takes
@@ -265,7 +260,7 @@ void kick_and_drift(Integrator& integrator, StepSettings const& settings, Partic
         launch("kick_and_drift",
                KickAndDrift<Rows>{make_step(integrator, settings, particles, contacts, walls, pass), Rows(contacts, pass)});
     };
-    if (pass.kept.begin == pass.kept.end) launch_with.template operator()<RowsOfAll>();
+    if (pass.force_row.count == 0) launch_with.template operator()<RowsOfAll>();
     else if constexpr (on_host) launch_with.template operator()<RowsOfPass>();
     if (pass.last) ++integrator.step;
 }

@@ -29,6 +29,27 @@ std::vector<Grain> random_pack(PackSettings const& settings)
     return grains;
 }
 
+SystemSettings rough_pack(NormalLaw law, int count, Real box, Real largest, bool periodic)
+{
+    PackSettings pack;
+    pack.count = count;
+    pack.box = box;
+    pack.largest = largest;
+    pack.size_ratio = 2.4;
+    pack.speed = 3;
+    pack.spin = 3000;
+    pack.lattice = true;
+    SystemSettings settings;
+    settings.grains = random_pack(pack);
+    settings.materials = {with(sand(), 0.8, 0.3)};
+    settings.contact = contact_settings(law, DampingLaw::restitution, TangentialLaw::secant);
+    settings.box.upper = {box, box, box};
+    for (bool& axis : settings.box.periodic) axis = periodic;
+    settings.skin = 2e-5;
+    settings.dt = 2e-8;
+    return settings;
+}
+
 std::vector<Grain> shuffled(std::vector<Grain> grains, std::uint64_t seed)
 {
     for (std::size_t i = grains.size(); i > 1; --i) std::swap(grains[i - 1], grains[random_bits(seed, i, 0) % i]);

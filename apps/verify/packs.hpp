@@ -20,6 +20,10 @@ struct PackSettings {
 
 std::vector<Grain> random_pack(PackSettings const& settings);
 
+/// `count` rough grains that fly about in a box of so many m, up to `largest` m wide; near each other, for searches and
+/// bits.
+SystemSettings rough_pack(NormalLaw law, int count, Real box, Real largest, bool periodic);
+
 /// The same grains in another order; ids stay with them.
 std::vector<Grain> shuffled(std::vector<Grain> grains, std::uint64_t seed);
 

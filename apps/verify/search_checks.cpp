@@ -76,27 +76,6 @@ std::vector<VerifyCase> check_periodic_crossing()
 
 namespace {
 
-SystemSettings rough_pack(bool periodic)
-{
-    PackSettings pack;
-    pack.count = 300;
-    pack.box = 1.5e-3;
-    pack.largest = 0.22e-3;
-    pack.size_ratio = 2.4;
-    pack.speed = 3;
-    pack.spin = 3000;
-    pack.lattice = true;
-    SystemSettings settings;
-    settings.grains = random_pack(pack);
-    settings.materials = {with(sand(), 0.8, 0.3)};
-    settings.contact = contact_settings(NormalLaw::jkr, DampingLaw::restitution, TangentialLaw::secant);
-    settings.box.upper = {pack.box, pack.box, pack.box};
-    for (bool& axis : settings.box.periodic) axis = periodic;
-    settings.skin = 2e-5;
-    settings.dt = 2e-8;
-    return settings;
-}
-
 GrainSystem run_pack(SystemSettings const& settings)
 {
     GrainSystem system = make_system(settings);
@@ -122,7 +101,7 @@ std::vector<VerifyCase> check_independence()
     std::vector<VerifyCase> rows;
     std::string const source = "the same run";
     for (bool const periodic : {false, true}) {
-        SystemSettings const settings = rough_pack(periodic);
+        SystemSettings const settings = rough_pack(NormalLaw::jkr, 300, 1.5e-3, 0.22e-3, periodic);
         GrainSystem const reference = run_pack(settings);
         std::uint64_t const hash = state_hash(reference);
         std::string const name = fmt::format("300 rough adhering grains, {} box", periodic ? "periodic" : "open");

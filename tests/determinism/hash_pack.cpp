@@ -10,23 +10,8 @@ namespace {
 
 arenite::SystemSettings pack_of(std::string const& kind)
 {
-    arenite::PackSettings pack;
-    pack.count = 1500;
-    pack.box = 2.4e-3;
-    pack.largest = 0.24e-3;
-    pack.size_ratio = 2.4;
-    pack.speed = 3;
-    pack.spin = 3000;
-    pack.lattice = true;
-    arenite::SystemSettings settings;
-    settings.grains = arenite::random_pack(pack);
-    settings.materials = {arenite::with(arenite::sand(), 0.8, 0.3)};
-    settings.contact =
-        arenite::contact_settings(arenite::NormalLaw::jkr, arenite::DampingLaw::restitution, arenite::TangentialLaw::secant);
-    settings.box.upper = {pack.box, pack.box, pack.box};
-    for (bool& axis : settings.box.periodic) axis = kind == "periodic";
-    settings.skin = 2e-5;
-    settings.dt = 2e-8;
+    arenite::SystemSettings settings =
+        arenite::rough_pack(arenite::NormalLaw::jkr, 1500, 2.4e-3, 0.24e-3, kind == "periodic");
     settings.fused = kind == "tiled";
     settings.tile_grains = kind == "tiled" ? 100 : 0;
     return settings;
