@@ -41,6 +41,10 @@ KOKKOS_FORCEINLINE_FUNCTION Real square_root(Real a) { return Kokkos::sqrt(a); }
 KOKKOS_FORCEINLINE_FUNCTION Real reciprocal(Real a) { return 1 / a; }
 KOKKOS_FORCEINLINE_FUNCTION Real inverse_root(Real a) { return 1 / a * Kokkos::sqrt(a); } // both at the same time
 KOKKOS_FORCEINLINE_FUNCTION Real rounded_down(Real a) { return Kokkos::floor(a); }
+// Lanes within four units of the last digit; of 0, infinity and NaN what the C library says.
+KOKKOS_FORCEINLINE_FUNCTION Real exponential(Real a) { return Kokkos::exp(a); }
+KOKKOS_FORCEINLINE_FUNCTION Real logarithm(Real a) { return Kokkos::log(a); }
+KOKKOS_FORCEINLINE_FUNCTION Real power(Real a, Real exponent) { return Kokkos::pow(a, exponent); }
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Real a, int) { return a; }
 KOKKOS_FORCEINLINE_FUNCTION Real sum_of_lanes(Real a) { return a; }
 
@@ -121,6 +125,45 @@ KOKKOS_FORCEINLINE_FUNCTION Lanes reciprocal(Lanes const& a) { return 1 / a; }
 KOKKOS_FORCEINLINE_FUNCTION Lanes inverse_root(Lanes const& a) { return 1 / a * sqrt(a); }
 #endif
 KOKKOS_FORCEINLINE_FUNCTION Lanes rounded_down(Lanes const& a) { return floor(a); }
+#if defined(__GLIBC__) && defined(__x86_64__)
+// The C library's vector functions, by the names that the vector ABI gives them.
+namespace lanes_detail {
+#if defined(__AVX512F__)
+#define ARENITE_VECTOR_FUNCTION(name) __asm__("_ZGVeN8" name)
+using VectorRegister = __m512d;
+#elif defined(__AVX2__)
+#define ARENITE_VECTOR_FUNCTION(name) __asm__("_ZGVdN4" name)
+using VectorRegister = __m256d;
+#elif defined(__AVX__)
+#define ARENITE_VECTOR_FUNCTION(name) __asm__("_ZGVcN4" name)
+using VectorRegister = __m256d;
+#else
+#define ARENITE_VECTOR_FUNCTION(name) __asm__("_ZGVbN2" name)
+using VectorRegister __attribute__((vector_size(16))) = Real;
+#endif
+VectorRegister exponential(VectorRegister) ARENITE_VECTOR_FUNCTION("v_exp");
+VectorRegister logarithm(VectorRegister) ARENITE_VECTOR_FUNCTION("v_log");
+VectorRegister power(VectorRegister, VectorRegister) ARENITE_VECTOR_FUNCTION("vv_pow");
+#undef ARENITE_VECTOR_FUNCTION
+KOKKOS_FORCEINLINE_FUNCTION VectorRegister in_register(Lanes const& a) { return static_cast<VectorRegister>(a); }
+} // namespace lanes_detail
+KOKKOS_FORCEINLINE_FUNCTION Lanes exponential(Lanes const& a)
+{
+    return Lanes(lanes_detail::exponential(lanes_detail::in_register(a)));
+}
+KOKKOS_FORCEINLINE_FUNCTION Lanes logarithm(Lanes const& a)
+{
+    return Lanes(lanes_detail::logarithm(lanes_detail::in_register(a)));
+}
+KOKKOS_FORCEINLINE_FUNCTION Lanes power(Lanes const& a, Lanes const& exponent)
+{
+    return Lanes(lanes_detail::power(lanes_detail::in_register(a), lanes_detail::in_register(exponent)));
+}
+#else
+KOKKOS_FORCEINLINE_FUNCTION Lanes exponential(Lanes const& a) { return exp(a); }
+KOKKOS_FORCEINLINE_FUNCTION Lanes logarithm(Lanes const& a) { return log(a); }
+KOKKOS_FORCEINLINE_FUNCTION Lanes power(Lanes const& a, Lanes const& exponent) { return pow(a, exponent); }
+#endif
 KOKKOS_FORCEINLINE_FUNCTION Real lane(Lanes const& a, int n) { return a[n]; }
 KOKKOS_FORCEINLINE_FUNCTION Real sum_of_lanes(Lanes const& a) { return reduce(a); }
 

@@ -147,15 +147,11 @@ void number_bins(DepositStencil const& stencil, RecordView const& position, int 
 
 void write_weights(GrainWeights const& weights, RecordView const& position)
 {
-    int const blocks = (weights.entries + lane_count - 1) / lane_count;
     Kokkos::parallel_for(
-        "write_weights", RangePolicy(0, blocks), KOKKOS_LAMBDA(int block) {
-            int entry[lane_count], row[lane_count]; // beyond the last entry: the last again
-            for (int n = 0; n < lane_count; ++n) {
-                entry[n] = Kokkos::min(block * lane_count + n, weights.entries - 1);
-                row[n] = weights.bins.item(entry[n]);
-                prefetch(&position(weights.later_row(entry[n]), 0));
-            }
+        "write_weights", RangePolicy(0, weights.entry_groups()), KOKKOS_LAMBDA(int group) {
+            int entry[lane_count], row[lane_count];
+            weights.entries_of(group, entry, row);
+            for (int n = 0; n < lane_count; ++n) prefetch(&position(weights.later_row(entry[n]), 0));
             LaneRecords const at = load_records(position.data(), row);
             DepositStencil const& stencil = weights.stencil;
             Lanes number = 0;

@@ -95,8 +95,20 @@ struct GrainWeights {
     {
         return on_host ? 1 : static_cast<std::ptrdiff_t>(weight.stride(1));
     }
-    /// Row of a grain some entries on: grains of neighbouring entries lie apart in memory and are asked for early.
-    KOKKOS_FUNCTION int later_row(int entry) const { return bins.item(Kokkos::min(entry + 16, entries - 1)); }
+    /// Groups of as many entries as there are lanes.
+    KOKKOS_FUNCTION int entry_groups() const { return (entries + lane_count - 1) / lane_count; }
+    /// A group's entries and the rows of their grains; beyond the last entry the last again.
+    KOKKOS_FORCEINLINE_FUNCTION void entries_of(int group, int (&entry)[lane_count], int (&row)[lane_count]) const
+    {
+        for (int n = 0; n < lane_count; ++n) {
+            entry[n] = Kokkos::min(group * lane_count + n, entries - 1);
+            row[n] = bins.item(entry[n]);
+        }
+    }
+    /// How far ahead of its use memory is asked for.
+    static constexpr int entries_ahead = 16;
+    /// Row of a grain some entries on: those of neighbouring entries lie apart in memory.
+    KOKKOS_FUNCTION int later_row(int entry) const { return bins.item(Kokkos::min(entry + entries_ahead, entries - 1)); }
 };
 
 /// position: [row](x, y, z, -), m. Grains whose centre is outside a non-periodic box are left out. The arrays of `spare` are
@@ -157,6 +169,29 @@ KOKKOS_FUNCTION void sum_any_block(DepositStencil const& stencil, Real const* we
         }
 }
 
+/// The same for entries of one block, an entry a lane. weight: [column].
+template <int groups, int components>
+KOKKOS_FORCEINLINE_FUNCTION void sum_block(DepositStencil const& stencil, Lanes const* weight, int first_cell,
+                                           TableView const& cell, Lanes (&sum)[components])
+{
+    constexpr int count = groups * DepositStencil::group;
+    std::ptrdiff_t const stride = static_cast<std::ptrdiff_t>(cell.stride(0)), row = stride * stencil.grid.cells[0],
+                         plane = row * stencil.grid.cells[1];
+    Real const* const first = cell.data() + stride * first_cell;
+    for (int q = 0; q < components; ++q) sum[q] = 0;
+    for (int c = 0; c < stencil.slots[2]; ++c) {
+        Real const* values = first + c * plane;
+        for (int b = 0; b < stencil.slots[1]; ++b, values += row) {
+            Lanes const across = weight[stencil.y_slot() + b] * weight[stencil.z_slot() + c];
+            for (int q = 0; q < components; ++q) {
+                Lanes along_x = weight[0] * values[q];
+                for (int a = 1; a < count; ++a) along_x += weight[a] * values[a * stride + q];
+                sum[q] += across * along_x;
+            }
+        }
+    }
+}
+
 } // namespace deposit_detail
 
 /// One entry's mean of the cells' values, the adjoint of deposit: sum over cells of weight * cell(c, q).
@@ -179,6 +214,37 @@ KOKKOS_FORCEINLINE_FUNCTION void interpolate_at(GrainWeights const& weights, int
         deposit_detail::sum_any_block(stencil, weight, step, {code % nx, code / nx % ny, code / (nx * ny)}, cell, sum);
     }
     for (int q = 0; q < components; ++q) value[q] = sum[q];
+}
+
+/// The same for a group of entries (GrainWeights::entries_of), an entry a lane.
+template <int components>
+KOKKOS_FORCEINLINE_FUNCTION void interpolate_at(GrainWeights const& weights, int const (&entry)[lane_count],
+                                                TableView const& cell, Lanes (&value)[components])
+{
+    if constexpr (lane_count > 1) {
+        DepositStencil const& stencil = weights.stencil;
+        constexpr int most_columns = 24; // of two groups of x and as many slots of y and z
+        int const first = weights.first_cell(entry[0]), columns = stencil.columns();
+        // Entries are sorted by block, so all are of one if the first and the last are.
+        if (first >= 0 && first == weights.first_cell(entry[lane_count - 1]) && columns <= most_columns && stencil.groups <= 2) {
+            Lanes weight[most_columns];
+            for (int column = 0; column < columns; column += 4) {
+                LaneRecords const four = turned([&](int n) { return load_quad(&weights.weight(entry[n], column)); });
+                for (int k = 0; k < 3; ++k) weight[column + k] = four.xyz[k];
+                weight[column + 3] = four.w;
+            }
+            if (stencil.groups == 1) deposit_detail::sum_block<1>(stencil, weight, first, cell, value);
+            else deposit_detail::sum_block<2>(stencil, weight, first, cell, value);
+            return;
+        }
+    }
+    Real numbers[components][lane_count];
+    for (int n = 0; n < lane_count; ++n) {
+        Real of_entry[components];
+        interpolate_at(weights, entry[n], cell, of_entry);
+        for (int q = 0; q < components; ++q) numbers[q][n] = of_entry[q];
+    }
+    for (int q = 0; q < components; ++q) value[q] = load_lanes(numbers[q]);
 }
 
 } // namespace arenite

@@ -78,7 +78,13 @@ template <int components> struct PartSum {
         Real const* values =
             quantity.data() + static_cast<std::ptrdiff_t>(first) * components; // without grains there is no row
         int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
-        for (int entry = first; entry < last; ++entry, w += columns, values += components) add(w + x, w + y, w[z], values);
+        int const ahead = Kokkos::min(GrainWeights::entries_ahead, weights.entries - last); // of every entry here there is one
+        for (int entry = first; entry < last; ++entry, w += columns, values += components) {
+            prefetch(w + ahead * columns + x);
+            prefetch(w + ahead * columns + z);
+            prefetch(values + ahead * components);
+            add(w + x, w + y, w[z], values);
+        }
     }
 
     KOKKOS_FORCEINLINE_FUNCTION void write(DepositStencil const& stencil, Part const& part, Real* partial) const

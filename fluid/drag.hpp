@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drag laws of a particle among others, as functions of numbers. Each law gives the linearised coefficient
+// Drag laws of a particle among others, as functions of numbers (core/lanes.hpp). Each law gives the linearised coefficient
 // beta [N s/m] of ONE original particle: drag = beta (u - v), u the fluid's interstitial velocity and v the
 // particle's. It is the drag of model A, without the pressure gradient and stress on the particle, which
 // exchange.hpp adds: in a bed at rest the drag is the share n of the whole seepage force.
@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/error.hpp"
+#include "core/lanes.hpp"
 #include "core/scene.hpp"
 
 #include <numbers>
@@ -17,28 +18,28 @@
 
 namespace arenite {
 
-/// What a law may look at.
-struct DragPoint {
-    Real diameter = 0;   // m, of the original particle
-    Real porosity = 1;   // n, in (0, 1]
-    Real slip_speed = 0; // |u - v|, m/s, interstitial
+/// What a law may look at, in numbers N: Real, or a grain a lane.
+template <class N> struct DragPoint {
+    N diameter = 0;   // m, of the original particle
+    N porosity = 1;   // n, in (0, 1]
+    N slip_speed = 0; // |u - v|, m/s, interstitial
 };
 
 /// A fluid without drag.
 struct NoDrag {
-    KOKKOS_FUNCTION Real operator()(DragPoint const&) const { return 0; }
+    template <class N> KOKKOS_FUNCTION N operator()(DragPoint<N> const&) const { return 0; }
 };
 
 /// beta given by the scene, for tests and for linear response.
 struct ConstantDrag {
     Real coefficient = 0; // N s/m
-    KOKKOS_FUNCTION Real operator()(DragPoint const&) const { return coefficient; }
+    template <class N> KOKKOS_FUNCTION N operator()(DragPoint<N> const&) const { return coefficient; }
 };
 
 /// Creeping flow round a lone sphere (Stokes 1851). The porosity is not used.
 struct StokesDrag {
     Real density = 0, viscosity = 0; // kg/m3, Pa s
-    KOKKOS_FUNCTION Real operator()(DragPoint const& at) const
+    template <class N> KOKKOS_FUNCTION N operator()(DragPoint<N> const& at) const
     {
         return 3 * std::numbers::pi_v<Real> * viscosity * at.diameter;
     }
@@ -48,27 +49,28 @@ struct StokesDrag {
 /// 1935), Re = rho |u - v| d / mu. The porosity is not used.
 struct SchillerNaumannDrag {
     Real density = 0, viscosity = 0; // kg/m3, Pa s
-    KOKKOS_FUNCTION Real operator()(DragPoint const& at) const
+    template <class N> KOKKOS_FUNCTION N operator()(DragPoint<N> const& at) const
     {
         constexpr Real pi = std::numbers::pi_v<Real>;
-        Real const reynolds = density * at.slip_speed * at.diameter / viscosity;
-        if (reynolds >= 1000) return Real(0.44) * pi / 8 * density * at.diameter * at.diameter * at.slip_speed;
-        return 3 * pi * viscosity * at.diameter * (1 + Real(0.15) * Kokkos::pow(reynolds, Real(0.687)));
+        N const reynolds = density * at.slip_speed * at.diameter / viscosity;
+        N const constant = Real(0.44) * pi / 8 * density * at.diameter * at.diameter * at.slip_speed;
+        N const viscous = 3 * pi * viscosity * at.diameter * (1 + Real(0.15) * power(reynolds, N(0.687)));
+        return select(reynolds >= N(1000), constant, viscous);
     }
 };
 
 /// chi = 3.7 - 0.65 exp(-(1.5 - log10 Re)^2 / 2), Di Felice 1994 (paper eq 10); 3.7 at Re = 0, where the
 /// logarithm is -inf and the exponential 0.
-KOKKOS_FUNCTION inline Real porosity_exponent(Real reynolds)
+template <class N> KOKKOS_FUNCTION N porosity_exponent(N const& reynolds)
 {
-    Real const distance = Real(1.5) - std::numbers::log10e_v<Real> * Kokkos::log(reynolds);
-    return Real(3.7) - Real(0.65) * Kokkos::exp(-distance * distance / 2);
+    N const distance = Real(1.5) - std::numbers::log10e_v<Real> * logarithm(reynolds);
+    return Real(3.7) - Real(0.65) * exponential(-distance * distance / 2);
 }
 
 /// C_d U = (0.63 sqrt(U) + 4.8 sqrt(mu/(rho d)))^2 [m/s] with C_d = (0.63 + 4.8/sqrt(Re))^2, Dallavalle 1948.
-KOKKOS_FUNCTION inline Real dallavalle_speed(Real speed, Real viscous_speed)
+template <class N> KOKKOS_FUNCTION N dallavalle_speed(N const& speed, N const& viscous_speed)
 {
-    Real const root = Real(0.63) * Kokkos::sqrt(speed) + Real(4.8) * Kokkos::sqrt(viscous_speed);
+    N const root = Real(0.63) * square_root(speed) + Real(4.8) * square_root(viscous_speed);
     return root * root;
 }
 
@@ -76,13 +78,13 @@ KOKKOS_FUNCTION inline Real dallavalle_speed(Real speed, Real viscous_speed)
 /// U = n |u - v|, Re = rho U d / mu (Zhou et al. 2010): so beta has the factor n^(2 - chi) on |u - v|.
 struct DiFeliceDrag {
     Real density = 0, viscosity = 0; // kg/m3, Pa s
-    KOKKOS_FUNCTION Real operator()(DragPoint const& at) const
+    template <class N> KOKKOS_FUNCTION N operator()(DragPoint<N> const& at) const
     {
-        Real const superficial = at.porosity * at.slip_speed;
-        Real const viscous_speed = viscosity / (density * at.diameter);
-        Real const chi = porosity_exponent(superficial / viscous_speed);
+        N const superficial = at.porosity * at.slip_speed;
+        N const viscous_speed = viscosity / (density * at.diameter);
+        N const chi = porosity_exponent(superficial / viscous_speed);
         return std::numbers::pi_v<Real> / 8 * density * at.diameter * at.diameter * at.porosity *
-               dallavalle_speed(superficial, viscous_speed) * Kokkos::pow(at.porosity, -chi);
+               dallavalle_speed(superficial, viscous_speed) * power(at.porosity, -chi);
     }
 };
 
@@ -90,12 +92,12 @@ struct DiFeliceDrag {
 /// resists 2.4 times as much as Di Felice's law; kept to compare with.
 struct LiteralDiFeliceDrag {
     Real density = 0, viscosity = 0; // kg/m3, Pa s
-    KOKKOS_FUNCTION Real operator()(DragPoint const& at) const
+    template <class N> KOKKOS_FUNCTION N operator()(DragPoint<N> const& at) const
     {
-        Real const viscous_speed = viscosity / (density * at.diameter);
-        Real const chi = porosity_exponent(at.slip_speed / viscous_speed);
+        N const viscous_speed = viscosity / (density * at.diameter);
+        N const chi = porosity_exponent(at.slip_speed / viscous_speed);
         return std::numbers::pi_v<Real> / 8 * density * at.diameter * at.diameter *
-               dallavalle_speed(at.slip_speed, viscous_speed) * Kokkos::pow(at.porosity, -chi);
+               dallavalle_speed(at.slip_speed, viscous_speed) * power(at.porosity, -chi);
     }
 };
 
@@ -104,15 +106,15 @@ struct LiteralDiFeliceDrag {
 /// has the share V_p/(1 - n) of it. The jump at n = 0.8 is the original's.
 struct GidaspowDrag {
     Real density = 0, viscosity = 0; // kg/m3, Pa s
-    KOKKOS_FUNCTION Real operator()(DragPoint const& at) const
+    template <class N> KOKKOS_FUNCTION N operator()(DragPoint<N> const& at) const
     {
         constexpr Real pi = std::numbers::pi_v<Real>;
-        Real const d = at.diameter, n = at.porosity;
-        if (n < Real(0.8)) return pi / 6 * d * (150 * (1 - n) / n * viscosity + Real(1.75) * density * at.slip_speed * d);
-        Real const reynolds = density * n * at.slip_speed * d / viscosity;
-        Real const crowding = Kokkos::pow(n, Real(-2.65));
-        if (reynolds >= 1000) return pi / 8 * Real(0.44) * density * d * d * n * at.slip_speed * crowding;
-        return 3 * pi * viscosity * d * (1 + Real(0.15) * Kokkos::pow(reynolds, Real(0.687))) * crowding;
+        N const d = at.diameter, n = at.porosity;
+        N const ergun = pi / 6 * d * (150 * (1 - n) / n * viscosity + Real(1.75) * density * at.slip_speed * d);
+        MaskOf<N> const dense = n < N(0.8);
+        if (all(dense)) return ergun;
+        N const crowding = power(n, N(-2.65));
+        return select(dense, ergun, SchillerNaumannDrag{density, viscosity}(DragPoint<N>{d, n, n * at.slip_speed}) * crowding);
     }
 };
 
@@ -121,21 +123,22 @@ struct GidaspowDrag {
 /// inertial term is multiplied out by Re^((1 + 4 phi)/2) so that it is 0 at Re = 0.
 struct BeetstraDrag {
     Real density = 0, viscosity = 0; // kg/m3, Pa s
-    KOKKOS_FUNCTION Real operator()(DragPoint const& at) const
+    template <class N> KOKKOS_FUNCTION N operator()(DragPoint<N> const& at) const
     {
-        Real const n = at.porosity, solid = 1 - n;
-        Real const reynolds = density * n * at.slip_speed * at.diameter / viscosity;
-        Real const creeping = 10 * solid / (n * n) + n * n * (1 + Real(1.5) * Kokkos::sqrt(solid));
-        Real const power = Kokkos::pow(reynolds, (1 + 4 * solid) / 2);
-        Real const slope = (1 / n + 3 * n * solid) * reynolds + Real(8.4) * Kokkos::pow(reynolds, Real(0.657));
-        Real const inertial = Real(0.413) / (24 * n * n) * slope * power / (power + Kokkos::pow(Real(10), 3 * solid));
+        N const n = at.porosity, solid = 1 - n;
+        N const reynolds = density * n * at.slip_speed * at.diameter / viscosity;
+        N const creeping = 10 * solid / (n * n) + n * n * (1 + Real(1.5) * square_root(solid));
+        N const factor = power(reynolds, (1 + 4 * solid) / 2);
+        N const slope = (1 / n + 3 * n * solid) * reynolds + Real(8.4) * power(reynolds, N(0.657));
+        N const inertial = Real(0.413) / (24 * n * n) * slope * factor / (factor + power(N(10), 3 * solid));
         return 3 * std::numbers::pi_v<Real> * viscosity * at.diameter * n * (creeping + inertial);
     }
 };
 
 /// A grain of diameter d_g stands for k^3 particles of d_g/k and feels their drag (physics.md section 2): with
 /// the grain's own diameter in the law a pack would be k^2 times too permeable.
-template <class Law> KOKKOS_FUNCTION Real grain_drag_coefficient(Law const& law, DragPoint grain, Real coarse_grain_factor)
+template <class Law, class N>
+KOKKOS_FUNCTION N grain_drag_coefficient(Law const& law, DragPoint<N> grain, Real coarse_grain_factor)
 {
     grain.diameter /= coarse_grain_factor;
     return coarse_grain_factor * coarse_grain_factor * coarse_grain_factor * law(grain);

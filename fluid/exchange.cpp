@@ -96,23 +96,31 @@ template <class Law> void evaluate_drag(Law const& law, Exchange const& exchange
     Real const factor = exchange.coarse_grain_factor, dt = exchange.time_step;
     bool const has_history = coasting.extent(0) == velocity.extent(0);
     Kokkos::parallel_for(
-        "evaluate_drag", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
-            int const row = weights.bins.item(entry), later = weights.later_row(entry);
-            prefetch(&velocity(later, 0));
-            prefetch(&motion(later));
-            if (has_history) prefetch(&coasting(later, 0));
-            Real fluid[4];
-            interpolate_at(weights, entry, value, fluid);
-            Quad const own = load_record(&velocity(row, 0));
-            Vec3 const v{own[0], own[1], own[2]};
-            Real const slip_speed = norm(Vec3{fluid[0], fluid[1], fluid[2]} - v);
-            Real beta = grain_drag_coefficient(law, {2 * at(entry, 3), fluid[3], slip_speed}, factor);
-            Vec3 predicted = v;
-            if (motion(row) == Motion::free) {
-                beta /= 1 + beta * dt / own[3];
-                if (has_history && coasting(row, 3) > 0) predicted = 2 * v - vector_of(coasting, row);
+        "evaluate_drag", RangePolicy(0, weights.entry_groups()), KOKKOS_LAMBDA(int group) {
+            int entry[lane_count], row[lane_count];
+            std::uint8_t is_free[lane_count];
+            weights.entries_of(group, entry, row);
+            for (int n = 0; n < lane_count; ++n) {
+                int const later = weights.later_row(entry[n]);
+                prefetch(&velocity(later, 0));
+                prefetch(&motion(later));
+                if (has_history) prefetch(&coasting(later, 0));
+                is_free[n] = motion(row[n]) == Motion::free;
             }
-            store_record(Quad{beta * predicted.x, beta * predicted.y, beta * predicted.z, beta}, &drag(entry, 0));
+            Lanes fluid[4];
+            interpolate_at(weights, entry, value, fluid);
+            LaneRecords const own = load_records(velocity.data(), row), place = load_records(at.data(), entry);
+            LaneMask const free = load_flags(is_free);
+            Lanes const slip_speed = norm(Vector<Lanes>{fluid[0], fluid[1], fluid[2]} - own.xyz);
+            DragPoint<Lanes> const point{2 * place.w, fluid[3], slip_speed};
+            Lanes beta = grain_drag_coefficient(law, point, factor);
+            beta = select(free, beta / (1 + beta * dt / own.w), beta);
+            Vector<Lanes> predicted = own.xyz;
+            if (has_history) {
+                LaneRecords const before = load_records(coasting.data(), row);
+                predicted = select(free && before.w > Lanes(0), 2 * own.xyz - before.xyz, own.xyz);
+            }
+            store_records({beta * predicted, beta}, drag.data(), entry);
         });
 }
 
@@ -153,23 +161,24 @@ void write_fluid_force(Exchange const& exchange, Particles const& particles)
         if (apart) Kokkos::deep_copy(ExecutionSpace(), pressure_force, Real(0));
     }
     Kokkos::parallel_for(
-        "write_fluid_force", RangePolicy(0, weights.entries), KOKKOS_LAMBDA(int entry) {
-            int const row = weights.bins.item(entry), later = weights.later_row(entry);
-            prefetch(&velocity(later, 0));
-            prefetch(&fluid_force(later, 0));
-            prefetch(&coasting(later, 0));
-            Real fluid[6];
+        "write_fluid_force", RangePolicy(0, weights.entry_groups()), KOKKOS_LAMBDA(int group) {
+            int entry[lane_count], row[lane_count];
+            weights.entries_of(group, entry, row);
+            for (int n = 0; n < lane_count; ++n) {
+                int const later = weights.later_row(entry[n]);
+                prefetch(&velocity(later, 0));
+                prefetch(&fluid_force(later, 0));
+                prefetch(&coasting(later, 0));
+            }
+            Lanes fluid[6];
             interpolate_at(weights, entry, value, fluid);
-            Quad const held = load_record(&drag(entry, 0)), own = load_record(&velocity(row, 0));
-            Real const beta = held[3], v = volume(entry, 0);
-            Vec3 force;
-            for (int axis = 0; axis < 3; ++axis) force[axis] = beta * fluid[axis] - held[axis];
-            store_record(Quad{force.x + v * fluid[3], force.y + v * fluid[4], force.z + v * fluid[5], beta},
-                         &fluid_force(row, 0));
-            Real const per_mass = dt / own[3];
-            store_record(Quad{own[0] + per_mass * force.x, own[1] + per_mass * force.y, own[2] + per_mass * force.z, 1},
-                         &coasting(row, 0));
-            if (apart) store_record(Quad{v * fluid[3], v * fluid[4], v * fluid[5], 0}, &pressure_force(row, 0));
+            LaneRecords const held = load_records(drag.data(), entry), own = load_records(velocity.data(), row);
+            Vector<Lanes> const drag_force = held.w * Vector<Lanes>{fluid[0], fluid[1], fluid[2]} - held.xyz;
+            Lanes const grain_volume = make_lanes([&](int n) { return volume(entry[n], 0); });
+            Vector<Lanes> const pressure = grain_volume * Vector<Lanes>{fluid[3], fluid[4], fluid[5]};
+            store_records({drag_force + pressure, held.w}, fluid_force.data(), row);
+            store_records({own.xyz + dt / own.w * drag_force, 1}, coasting.data(), row);
+            if (apart) store_records({pressure, 0}, pressure_force.data(), row);
         });
 }
 

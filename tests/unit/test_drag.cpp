@@ -24,7 +24,7 @@ FluidSettings water(DragLaw law)
     return fluid;
 }
 
-Real coefficient(FluidSettings const& fluid, DragPoint const& at, Real factor = 1)
+Real coefficient(FluidSettings const& fluid, DragPoint<Real> const& at, Real factor = 1)
 {
     return std::visit([&](auto const& law) { return grain_drag_coefficient(law, at, factor); }, make_drag_law(fluid));
 }
