@@ -30,6 +30,8 @@ void add_bench(CLI::App& app, BenchOptions& options)
     bench->add_option("--relax", options.relax, "steps under damping before all others, for a pack that was tiled")
         ->check(CLI::NonNegativeNumber);
     bench->add_option("--save", options.save, "text file to write the pack to that is measured");
+    bench->add_flag("--whole-steps", options.whole_steps,
+                    "a step evaluates all contacts before it moves a grain, also of packs that are stepped tile by tile");
     bench->add_flag("--limits", options.limits,
                     "measure a stream copy and multiply-adds too: the shares of them that are reached");
     bench->add_flag("--json", options.json, "one JSON line per result (as always)");
@@ -63,6 +65,7 @@ void add_speed(BenchRun const& run, Fields& fields)
     double const per = 1e9 / (static_cast<double>(run.grains) * static_cast<double>(run.steps));
     fields.insert(fields.end(), {{"grains", number(run.grains)},
                                  {"steps", number(static_cast<double>(run.steps))},
+                                 {"tile_grains", number(run.tile_grains)},
                                  {"particle_steps_per_s", number(run.particle_steps_per_second())},
                                  {"evaluate_ns", number(run.seconds_evaluate * per)},
                                  {"integrate_ns", number(run.seconds_integrate * per)},
@@ -122,6 +125,7 @@ int run_bench(BenchOptions const& options)
     settings.skin = options.skin;
     settings.warm_up = options.warm_up;
     settings.steps = options.steps;
+    settings.whole_steps = options.whole_steps;
     BenchPack const pack = pack_of(options, settings);
     Hardware const machine = hardware();
     for (int repeat = 0; repeat < options.repeats; ++repeat) {

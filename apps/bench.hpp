@@ -20,6 +20,7 @@ struct BenchOptions {
     std::vector<int> tiles;     // copies along x and y
     int relax = 0;              // steps under damping before anything else
     std::string save;           // where the pack that is then measured is written
+    bool whole_steps = false;   // no tiles
     bool limits = false;        // measure what the machine can do too
     bool json = true;
 };

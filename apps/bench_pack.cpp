@@ -68,10 +68,11 @@ struct PreparedPack {
     PlannedStage planned;
     StageForces forces;
     StepSettings step;
+    bool whole_steps = false;
 
     void search()
     {
-        search_contacts(state.particles, state.box, {state.skin, forces.needs, {}}, state.contacts);
+        search_contacts(state.particles, state.box, {state.skin, forces.needs, {}, whole_steps}, state.contacts);
         search_wall_contacts(state.particles, state.walls, state.skin, forces.wall_needs, state.wall_contacts);
     }
     void move(ContactPass const& pass)
@@ -89,6 +90,7 @@ void prepare(BenchPack const& pack, BenchSettings const& settings, PreparedPack&
     state.walls = make_walls(bench_walls(pack), {{"sand"}, pack.lower, pack.upper, {}});
     begin_stage(state.walls, {});
     state.skin = settings.skin;
+    prepared.whole_steps = settings.whole_steps;
     ContactSettings contact;
     contact.normal = settings.law;
     contact.break_point = BreakPoint::S;
@@ -266,6 +268,7 @@ BenchRun run_pack(BenchPack const& pack, BenchSettings const& settings)
     make_steps(prepared, settings.steps, run);
     run.seconds = seconds_between(begin, Clock_::now());
     run.steps = settings.steps;
+    run.tile_grains = state.contacts.tile_grains;
     run.candidates_per_grain = static_cast<double>(state.contacts.count) / run.grains;
     run.gathered_per_grain = gathered_rows(state.contacts) / run.grains;
     double shared = 0;

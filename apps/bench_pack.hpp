@@ -37,7 +37,7 @@ struct BenchRun {
     double seconds = 0; // of the timed steps
     double seconds_evaluate = 0, seconds_integrate = 0, seconds_search = 0;
     long long steps = 0, searches = 0;
-    int grains = 0;
+    int grains = 0, tile_grains = 0;
     double candidates_per_grain = 0, contacts_per_grain = 0, gathered_per_grain = 0, shared_per_grain = 0; // rows
     unsigned long long state_hash = 0;    // of positions, velocities and spins in the order of the ids
     double one_search = 0;                // s, of a search after the timed steps
@@ -51,6 +51,7 @@ struct BenchSettings {
     NormalLaw law = NormalLaw::hertz;
     double surface_energy = 60, gravity = 9810, skin = 3e-5, dt = 1e-8;
     int warm_up = 50, steps = 500;
+    bool whole_steps = false; // no tiles (kernels/contact_passes.hpp)
 };
 
 /// Steps the pack in its walls (sand of physics.md section 5, mu 0.2, e 0.8).

@@ -105,10 +105,10 @@ struct GrainWeights {
             row[n] = bins.item(entry[n]);
         }
     }
-    /// How far ahead of its use memory is asked for.
-    static constexpr int entries_ahead = 16;
-    /// Row of a grain some entries on: those of neighbouring entries lie apart in memory.
-    KOKKOS_FUNCTION int later_row(int entry) const { return bins.item(Kokkos::min(entry + entries_ahead, entries - 1)); }
+    /// How many entries on memory is asked for, ahead of its use.
+    KOKKOS_FUNCTION int ahead(int entry) const { return Kokkos::min(16, entries - 1 - entry); }
+    /// Row of the grain there: those of neighbouring entries lie apart in memory.
+    KOKKOS_FUNCTION int later_row(int entry) const { return bins.item(entry + ahead(entry)); }
 };
 
 /// position: [row](x, y, z, -), m. Grains whose centre is outside a non-periodic box are left out. The arrays of `spare` are
@@ -226,7 +226,8 @@ KOKKOS_FORCEINLINE_FUNCTION void interpolate_at(GrainWeights const& weights, int
         constexpr int most_columns = 24; // of two groups of x and as many slots of y and z
         int const first = weights.first_cell(entry[0]), columns = stencil.columns();
         // Entries are sorted by block, so all are of one if the first and the last are.
-        if (first >= 0 && first == weights.first_cell(entry[lane_count - 1]) && columns <= most_columns && stencil.groups <= 2) {
+        if (first >= 0 && first == weights.first_cell(entry[lane_count - 1]) && columns <= most_columns &&
+            stencil.groups <= 2) {
             Lanes weight[most_columns];
             for (int column = 0; column < columns; column += 4) {
                 LaneRecords const four = turned([&](int n) { return load_quad(&weights.weight(entry[n], column)); });

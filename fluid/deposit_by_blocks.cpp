@@ -78,7 +78,7 @@ template <int components> struct PartSum {
         Real const* values =
             quantity.data() + static_cast<std::ptrdiff_t>(first) * components; // without grains there is no row
         int const x = DepositStencil::group * part.group, y = stencil.y_slot() + part.first_b, z = stencil.z_slot() + part.c;
-        int const ahead = Kokkos::min(GrainWeights::entries_ahead, weights.entries - last); // of every entry here there is one
+        int const ahead = weights.ahead(last - 1); // for all of them
         for (int entry = first; entry < last; ++entry, w += columns, values += components) {
             prefetch(w + ahead * columns + x);
             prefetch(w + ahead * columns + z);

@@ -113,8 +113,8 @@ struct GidaspowDrag {
         N const ergun = pi / 6 * d * (150 * (1 - n) / n * viscosity + Real(1.75) * density * at.slip_speed * d);
         MaskOf<N> const dense = n < N(0.8);
         if (all(dense)) return ergun;
-        N const crowding = power(n, N(-2.65));
-        return select(dense, ergun, SchillerNaumannDrag{density, viscosity}(DragPoint<N>{d, n, n * at.slip_speed}) * crowding);
+        N const lone = SchillerNaumannDrag{density, viscosity}(DragPoint<N>{d, n, n * at.slip_speed});
+        return select(dense, ergun, lone * power(n, N(-2.65)));
     }
 };
 

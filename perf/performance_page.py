@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import collections
+import itertools
 from pathlib import Path
 
 import measure
@@ -78,15 +79,15 @@ def peers(tables: Tables) -> str:
 
 
 STEPS_IN_PARTS = """
-From 262 144 grains on the step is made in parts (`kernels/contact_passes.hpp`): most rows of forces never leave the caches then, and a
-step moves little more than half the bytes. Its share of a copy is smaller for that, while it is faster.
+From 262 144 grains on the step is made tile by tile (`kernels/contact_passes.hpp`): most rows of forces never leave the caches then, and
+a step moves little more than half the bytes. "In one part" is the same pack without tiles (`arenite bench --whole-steps`): the same
+state, a larger share of the copy, and slower.
 """
 
 
-def makes_steps_in_parts(rows: list[dict[str, str]]) -> bool:
-    """Then the largest packs move fewer bytes a particle-step than the smaller ones."""
-    size = [float(row["bytes_per_particle_step"]) for row in rows]
-    return min(size) < 0.7 * max(size)
+def in_one_part(row: dict[str, str]) -> bool:
+    """A pack that is otherwise stepped tile by tile; older tables have none."""
+    return row.get("whole_steps") == "1"
 
 
 def roofline(tables: Tables) -> str:
@@ -96,8 +97,9 @@ def roofline(tables: Tables) -> str:
     body = []
     for row in rows:
         used = float(row["bytes_per_particle_step"]) * float(row["particle_steps_per_s"]) / 1e9
-        body.append([row["grains"], row["law"], row["threads"], number(row["particle_steps_per_s"], 3, 1e-6),
-                     number(row["candidates_per_grain"]), number(row["contacts_per_grain"]), number(row["bytes_per_particle_step"]),
+        body.append([row["grains"] + (", in one part" if in_one_part(row) else ""), row["law"], row["threads"],
+                     number(row["particle_steps_per_s"], 3, 1e-6), number(row["candidates_per_grain"]),
+                     number(row["contacts_per_grain"]), number(row["bytes_per_particle_step"]),
                      number(row["flops_per_particle_step"]), f"{used:.3g}", number(row["copy_bytes_per_s"], 3, 1e-9),
                      f"{100 * float(row['share_of_copy']):.0f} %", f"{100 * float(row['share_of_copy_beyond_caches']):.0f} %",
                      f"{100 * float(row['share_of_multiply_add']):.0f} %"])
@@ -107,13 +109,14 @@ def roofline(tables: Tables) -> str:
 Bytes and flops of a particle-step are counted by hand, kernel by kernel, in `apps/bench_limits.cpp`. "Copy" is a stream copy of as much memory
 as the pack takes, so from the cache where the pack fits; "memory copy" is one of 512 MiB. A share of more than 100 % of the memory
 copy means that the pack lives in the cache.
-""" + (STEPS_IN_PARTS if makes_steps_in_parts(rows) else "")
+""" + (STEPS_IN_PARTS if any(map(in_one_part, rows)) else "")
 
 
 def growth(tables: Tables) -> str:
     _, rows = tables.get("roofline")
     if not rows:
         return missing("perf/roofline/run.py")
+    rows = [row for row in rows if not in_one_part(row)]
     cost = {(row["law"], row["threads"], int(row["grains"])): 1e9 / float(row["particle_steps_per_s"]) for row in rows}
     sizes = sorted({key[2] for key in cost})
     body = []
@@ -248,7 +251,7 @@ def pictures(tables: Tables, machine: str) -> dict[str, str]:
     if rows:
         figure, axes = plt.subplots(figsize=(6, 3.4))
         series = collections.defaultdict(list)
-        for row in rows:
+        for row in itertools.filterfalse(in_one_part, rows):
             series[row["law"], row["threads"]].append((int(row["grains"]), 1e9 / float(row["particle_steps_per_s"])))
         for (law, count), points in sorted(series.items()):
             axes.plot(*zip(*sorted(points)), "o-", label=f"{law}, {count} thread{'s' if count != '1' else ''}")

@@ -54,7 +54,8 @@ Real terminal_slip(FluidSettings const& fluid, Real diameter, Real grain_density
     Real low = 0, high = 1;
     for (int n = 0; n < 60; ++n) {
         Real const slip = (low + high) / 2;
-        Real const beta = std::visit([&](auto const& law) { return law(DragPoint<Real>{diameter, porosity, slip}); }, any_law);
+        Real const beta =
+            std::visit([&](auto const& law) { return law(DragPoint<Real>{diameter, porosity, slip}); }, any_law);
         (beta * slip < weight ? low : high) = slip;
     }
     return low;

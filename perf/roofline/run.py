@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Grain steps against what the machine can do: speed, cost per particle-step and shares of a stream copy and of
 multiply-adds that are measured in the same run, for every pack, law and number of threads; memory by View. So it is also
-how cost grows with the number of grains. Fails where a pack's state depends on the number of threads.
+how cost grows with the number of grains. What is stepped tile by tile is measured in one part too (whole_steps). Fails where
+a pack's state depends on the number of threads or on the tiles.
 
 Writes roofline.csv and memory.csv. Bytes and flops are counted by hand: apps/bench_limits.cpp says what is counted."""
 
@@ -22,7 +23,7 @@ MEDIANS = ["particle_steps_per_s", "evaluate_ns", "integrate_ns", "one_search_s"
            "contacts_per_grain", "bytes_per_particle_step", "flops_per_particle_step", "copy_bytes_per_s",
            "copy_bytes_per_s_beyond_caches", "multiply_add_flops_per_s", "share_of_copy", "share_of_copy_beyond_caches",
            "share_of_multiply_add", "memory_bytes_per_grain", "peak_memory_bytes_per_grain"]
-COLUMNS = ["grains", "law", "threads", "repeats", "steps", *MEDIANS, "least_particle_steps_per_s", "most_particle_steps_per_s",
+COLUMNS = ["grains", "law", "threads", "whole_steps", "repeats", "steps", *MEDIANS, "least_particle_steps_per_s", "most_particle_steps_per_s",
            "state_hash"]
 
 
@@ -44,17 +45,22 @@ def main() -> int:
         steps = steps_for(grains, arguments.particle_steps)
         for law in ("hertz", "jkr"):
             hashes = set()
-            for threads in arguments.threads:
+            cases = [(threads, 0) for threads in arguments.threads]
+            for threads, whole in cases:
                 results = measure.bench(arguments.arenite, threads, "--pack", pack.file, "--law", law, "--steps", steps,
-                                        "--warm-up", max(5, steps // 2), "--repeats", arguments.repeats, "--limits")
+                                        "--warm-up", max(5, steps // 2), "--repeats", arguments.repeats, "--limits",
+                                        *(["--whole-steps"] if whole else []))
+                if results[0]["tile_grains"] > 0:
+                    cases.append((threads, 1))
                 speeds = [result["particle_steps_per_s"] for result in results]
                 medians = [float(statistics.median(result[name] for result in results)) for name in MEDIANS]
                 hashes |= {result["state_hash"] for result in results}
-                rows.append([grains, law, threads, len(results), steps, *medians, min(speeds), max(speeds),
+                rows.append([grains, law, threads, whole, len(results), steps, *medians, min(speeds), max(speeds),
                              results[0]["state_hash"]])
-                print(f"{grains:8} grains, {law:5}, {threads} threads: {medians[0] / 1e6:6.2f} M particle-steps/s, "
+                print(f"{grains:8} grains, {law:5}, {threads} threads{', steps in one part' if whole else ''}: {medians[0] / 1e6:6.2f} M particle-steps/s, "
                       f"{100 * medians[MEDIANS.index('share_of_copy')]:.0f} % of a copy", flush=True)
-            memory += [[grains, law, view, size] for view, size in results[0]["memory"].items()]
+                if threads == arguments.threads[0] and not whole:
+                    memory += [[grains, law, view, size] for view, size in results[0]["memory"].items()]
             if len(hashes) > 1:
                 torn.append(f"{grains} grains, {law}: the state depends on the threads or the run: {', '.join(sorted(hashes))}")
     head = measure.header(measure.program_info(arguments.arenite), "medians of the repeats; skin 3e-05 m, dt 1e-8 s, 1000 g",

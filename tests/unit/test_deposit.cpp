@@ -92,6 +92,20 @@ TableView interpolate_all(GrainWeights const& weights, TableView const& cell)
     return value;
 }
 
+TableView interpolate_groups(GrainWeights const& weights, TableView const& cell)
+{
+    TableView value("value", weights.entries, 4);
+    Kokkos::parallel_for(
+        "interpolate_groups", RangePolicy(0, weights.entry_groups()), KOKKOS_LAMBDA(int group) {
+            int entry[lane_count], row[lane_count];
+            weights.entries_of(group, entry, row);
+            Lanes mean[4];
+            interpolate_at(weights, entry, cell, mean);
+            store_records({{mean[0], mean[1], mean[2]}, mean[3]}, value.data(), entry);
+        });
+    return value;
+}
+
 std::vector<Real> host_column(TableView const& table, int column)
 {
     auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), table);
@@ -165,6 +179,24 @@ TEST(Deposit, WeightsAreTheKernelsIntegrals)
         }
         EXPECT_NEAR(weight[i], integral, 1e-6);
     }
+}
+
+/// So a grain's bits do not depend on who else is in its group, nor on whether they share a block.
+TEST(Deposit, AGroupsMeansAreThoseOfItsEntries)
+{
+    for (Grid const& grid : grids())
+        for (Real const radius : radii)
+            for (int const grains : {1, 61, 3000}) {
+                GrainWeights const weights = weights_of(grid, radius, grains_at(random_points(grid, grains)));
+                TableView const field = make_interpolated("field", grid, 4);
+                auto const host = Kokkos::create_mirror_view(field);
+                for (int c = 0; c < grid.cell_count(); ++c)
+                    for (int q = 0; q < 4; ++q) host(c, q) = std::cos(0.7 * c + q);
+                Kokkos::deep_copy(field, host);
+                TableView const one = interpolate_all(weights, field), by_group = interpolate_groups(weights, field);
+                for (int q = 0; q < 4; ++q)
+                    EXPECT_EQ(host_column(one, q), host_column(by_group, q)) << radius << " m, " << q;
+            }
 }
 
 TEST(Deposit, InterpolationIsTheAdjoint)

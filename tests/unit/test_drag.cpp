@@ -143,6 +143,26 @@ TEST(Drag, FiniteAndContinuousAtRest)
     EXPECT_EQ(coefficient(water(DragLaw::none), {0.23e-3, 0.41, 1}), 0);
 }
 
+/// Grains at rest and fast ones, dense and dilute, side by side in one vector.
+TEST(Drag, EveryLaneIsOneGrain)
+{
+    std::vector<DragPoint<Real>> points;
+    for (Real const slip : {0., 1e-12, 1e-6, 1e-3, 0.1, 30.})
+        for (Real const porosity : {0.41, 0.9, 0.2, 1.0, 0.79})
+            for (Real const diameter : {0.15e-3, 0.355e-3}) points.push_back({diameter, porosity, slip});
+    for (DragLaw const law : all_laws)
+        for (std::size_t first = 0; first + lane_count <= points.size(); ++first) {
+            DragPoint<Real> const* const of = &points[first];
+            DragPoint<Lanes> const at{make_lanes([&](int n) { return of[n].diameter; }),
+                                      make_lanes([&](int n) { return of[n].porosity; }),
+                                      make_lanes([&](int n) { return of[n].slip_speed; })};
+            Lanes const beta =
+                std::visit([&](auto const& l) { return grain_drag_coefficient(l, at, Real(2)); }, make_drag_law(water(law)));
+            for (int n = 0; n < lane_count; ++n)
+                EXPECT_NEAR(lane(beta, n) / coefficient(water(law), of[n], 2), 1, 1e-14) << static_cast<int>(law);
+        }
+}
+
 TEST(Drag, GrainOfFactorKIsItsOriginalParticles)
 {
     for (DragLaw const law : all_laws) {
