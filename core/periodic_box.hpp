@@ -14,8 +14,8 @@ namespace arenite {
 struct PeriodicBox {
     Vec3 lower, upper; // m
     bool periodic[3] = {false, false, false};
-    Vec3 strain_rate;   // 1/s: grains and images ride on the flow strain_rate * (x - strain_origin)
-    Vec3 strain_origin; // m, where that flow rests
+    Vec3 strain_rate{};   // 1/s: grains and images ride on the flow strain_rate * (x - strain_origin)
+    Vec3 strain_origin{}; // m, where that flow rests
 
     static constexpr int no_image = 13; // code of the shift (0, 0, 0)
 

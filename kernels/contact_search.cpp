@@ -3,6 +3,7 @@
 
 #include "core/cell_list.hpp"
 #include "core/error.hpp"
+#include "core/lanes.hpp"
 #include "kernels/contact_passes.hpp"
 
 #include <fmt/format.h>
@@ -29,8 +30,9 @@ struct SearchPoints {
     View1<std::uint8_t> image; // [point]
 };
 
-/// The cell of a position in units of cells; what lies outside counts to the cell at that end. Compared before the cast: no
-/// int holds the number of a cell that is very far away.
+/// A coordinate in units of cells, brought into the grid, and its cell: what lies outside counts to the cell at that end.
+/// Compared before the cast: no int holds the number of a cell that is very far away.
+KOKKOS_INLINE_FUNCTION Real in_grid(Real x, int cells) { return x < 0 ? 0 : (x > cells ? Real(cells) : x); }
 KOKKOS_INLINE_FUNCTION int cell_number(Real x, int cells)
 {
     return x < 1 ? 0 : (x >= cells ? cells - 1 : static_cast<int>(x));
@@ -42,7 +44,7 @@ struct LevelGrids {
     int levels = 1;
     Real edge[most] = {};
     Vec3 lower[most];
-    Real cell[most] = {};
+    Real cells_per_length[most] = {};
     int cells[most][3] = {};
     CellList list[most];
 
@@ -52,14 +54,13 @@ struct LevelGrids {
         while (level < levels - 1 && radius > edge[level]) ++level;
         return level;
     }
-    KOKKOS_FUNCTION int cell_along(int level, int axis, Real x) const
-    {
-        return cell_number((x - lower[level][axis]) / cell[level], cells[level][axis]);
-    }
+    /// In units of cells.
+    KOKKOS_FUNCTION Vec3 place(int level, Vec3 const& x) const { return cells_per_length[level] * (x - lower[level]); }
     KOKKOS_FUNCTION int cell_of(int level, Vec3 const& x) const
     {
-        return cell_along(level, 0, x.x) +
-               cells[level][0] * (cell_along(level, 1, x.y) + cells[level][1] * cell_along(level, 2, x.z));
+        Vec3 const at = place(level, x);
+        int const* const n = cells[level];
+        return cell_number(at.x, n[0]) + n[0] * (cell_number(at.y, n[1]) + n[1] * cell_number(at.z, n[2]));
     }
 };
 
@@ -263,7 +264,7 @@ LevelGrids make_grids(SearchPoints const& points, Bounds const& bounds, Real ski
             return std::ceil(extent.x / c) * std::ceil(extent.y / c) * std::ceil(extent.z / c);
         };
         while (total(cell) > Real(8) * points.count + 4096) cell *= Real(1.25);
-        grids.cell[level] = cell;
+        grids.cells_per_length[level] = 1 / cell;
         for (int axis = 0; axis < 3; ++axis) grids.cells[level][axis] = static_cast<int>(std::ceil(extent[axis] / cell));
     }
     for (int level = 0; level < grids.levels; ++level) {
@@ -307,25 +308,34 @@ struct PairFinder {
         Real const radius = position(i, 3);
         int const own = grids.level_of(radius);
         for (int level = own; level < grids.levels; ++level) {
-            Real const reach = radius + grids.edge[level] + skin;
-            int low[3], high[3];
-            for (int axis = 0; axis < 3; ++axis) {
-                low[axis] = grids.cell_along(level, axis, x[axis] - reach);
-                high[axis] = grids.cell_along(level, axis, x[axis] + reach);
-            }
-            for (int cz = low[2]; cz <= high[2]; ++cz)
-                for (int cy = low[1]; cy <= high[1]; ++cy) {
+            CellList const& list = grids.list[level];
+            int const* const cells = grids.cells[level];
+            Vec3 const at = grids.place(level, x);
+            Real const y = in_grid(at.y, cells[1]), z = in_grid(at.z, cells[2]);
+            Real const reach = (radius + grids.edge[level] + skin) * grids.cells_per_length[level] *
+                               (1 + Real(1e-9)); // more than roundings of cells' faces
+            int const low_z = cell_number(z - reach, cells[2]), high_z = cell_number(z + reach, cells[2]);
+            int const low_y = cell_number(y - reach, cells[1]), high_y = cell_number(y + reach, cells[1]);
+            for (int cz = low_z; cz <= high_z; ++cz)
+                for (int cy = low_y; cy <= high_y; ++cy) {
+                    Real const gap_y = larger(larger(cy - y, y - (cy + 1)), 0),
+                               gap_z = larger(larger(cz - z, z - (cz + 1)), 0);
+                    Real const left = reach * reach - gap_y * gap_y - gap_z * gap_z;
+                    if (left < 0) continue;
+                    Real const along_x = Kokkos::sqrt(left);
                     // The cells of a row follow each other, and so do their entries.
-                    int const row = grids.cells[level][0] * (cy + grids.cells[level][1] * cz);
-                    int const end = grids.list[level].begin(row + high[0] + 1);
-                    for (int k = grids.list[level].begin(row + low[0]); k < end; ++k) {
-                        int const point = grids.list[level].item(k);
-                        Real const other = points.position(point, 3);
+                    int const row = cells[0] * (cy + cells[1] * cz);
+                    int const end = list.begin(row + cell_number(at.x + along_x, cells[0]) + 1);
+                    for (int k = list.begin(row + cell_number(at.x - along_x, cells[0])); k < end; ++k) {
+                        // Near first: hardly a point is, and that of two is first which is not easily guessed.
+                        int const point = list.item(k);
+                        Quad const there = load_record(&points.position(point, 0));
+                        Vec3 const d{x.x - there[0], x.y - there[1], x.z - there[2]};
+                        Real const square = dot(d, d), other = there[3], cutoff = radius + other + skin;
+                        if (square >= cutoff * cutoff) continue;
                         if (other < radius || (other == radius && points.id(point) <= id(i))) continue;
-                        Vec3 const d = x - vector_of(points.position, point);
-                        Real const square = dot(d, d), cutoff = radius + other + skin,
-                                   near = radius + other + close_share * skin;
-                        if (square < cutoff * cutoff) visit(point, section_of(i, point, square < near * near));
+                        Real const near = radius + other + close_share * skin;
+                        visit(point, section_of(i, point, square < near * near));
                     }
                 }
         }
@@ -499,28 +509,30 @@ void make_incidence(Particles const& particles, ContactList& contacts)
         });
 }
 
-/// Looks each new pair up in the old row of its first grain, by the partner's id.
-void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<int> const& sorted_from,
+/// What every contact remembers: each pair is looked up in the old row of its first grain, by the partner's id; a new one
+/// begins with nothing. old_row: [grain] its row in the old list.
+void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<int> const& old_row,
                   Particles const& particles, ContactList const& contacts)
 {
     ContactList const list = contacts;
     View1<GrainId> const id = particles.id;
-    bool const had_history = old.needs.history, had_bonds = old.needs.bonds;
-    bool const keeps_radius = contacts.needs.contact_radius && old.needs.contact_radius;
+    bool const has_old = old.count > 0, had_history = has_old && old.needs.history, had_bonds = has_old && old.needs.bonds;
+    bool const had_radius = has_old && old.needs.contact_radius;
     Kokkos::parallel_for(
         "carry_memory", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
-            int const old_row = sorted_from(list.first(c));
+            int from = -1;
             GrainId const partner = id(list.second(c));
-            for_each_owned(old, old_row, [&](int k) {
-                if (old_id(old.second(k)) != partner) return;
-                list.touching(c) = old.touching(k);
-                if (old.touching(k)) // else the row may be old
-                    for (int n = 0; n < 8; ++n) list.force(c, n) = old.force(k, n);
-                if (list.needs.bonds && had_bonds) list.adhering(c) = old.adhering(k);
-                if (list.needs.history && had_history)
-                    for (int n = 0; n < 3; ++n) list.spring(c, n) = old.spring(k, n);
-                if (keeps_radius) list.contact_radius(c) = old.contact_radius(k);
-            });
+            if (has_old)
+                for_each_owned(old, old_row(list.first(c)), [&](int k) {
+                    if (old_id(old.second(k)) == partner) from = k;
+                });
+            bool const known = from >= 0, touched = known && old.touching(from) != 0; // else its row may be old
+            list.touching(c) = touched;
+            for (int n = 0; n < 8; ++n) list.force(c, n) = touched ? old.force(from, n) : 0;
+            if (list.needs.bonds) list.adhering(c) = known && had_bonds ? old.adhering(from) : 0;
+            if (list.needs.history)
+                for (int n = 0; n < 3; ++n) list.spring(c, n) = known && had_history ? old.spring(from, n) : 0;
+            if (list.needs.contact_radius) list.contact_radius(c) = known && had_radius ? old.contact_radius(from) : 0;
         });
 }
 
@@ -532,25 +544,29 @@ int tile_of(SearchSettings const& settings, int grains)
     return grains < least_tiled_grains ? 0 : default_tile_grains;
 }
 
+/// The arrays of its count of contacts, which are still to be written; what lies behind them is.
 void allocate_contacts(ContactList& contacts)
 {
     int const n = (contacts.count + contact_block - 1) / contact_block * contact_block;
-    contacts.first = View1<int>(uninitialized("contact_first"), n);
-    contacts.second = View1<int>(uninitialized("contact_second"), n + second_ahead);
-    if (contacts.periodic) contacts.image = View1<std::uint8_t>(uninitialized("contact_image"), n);
-    contacts.scale = ContactColumns<2>(uninitialized("contact_scale"), n);
-    if (contacts.needs.bonds) contacts.inverse_cube_root = View1<Real>(uninitialized("contact_inverse_cube_root"), n);
-    contacts.touching = View1<std::uint8_t>("contact_touching", n);
-    if (contacts.needs.bonds) contacts.adhering = View1<std::uint8_t>("contact_adhering", n);
-    if (contacts.needs.history) contacts.spring = ContactColumns<3>("contact_spring", n);
-    if (contacts.needs.contact_radius) contacts.contact_radius = View1<Real>("contact_radius", n);
-    contacts.force = ForceRows("contact_force", n + shared_rows(contacts, ExecutionSpace().concurrency()));
-    auto const rest = Kokkos::make_pair(contacts.count, n);
-    Kokkos::deep_copy(Kokkos::subview(contacts.first, rest), 0);
-    Kokkos::deep_copy(Kokkos::subview(contacts.second, Kokkos::make_pair(contacts.count, n + second_ahead)), 0);
-    if (contacts.periodic) Kokkos::deep_copy(Kokkos::subview(contacts.image, rest), PeriodicBox::image_code(0, 0, 0));
-    Kokkos::deep_copy(Kokkos::subview(contacts.scale, rest, Kokkos::ALL), 1);
-    if (contacts.needs.bonds) Kokkos::deep_copy(Kokkos::subview(contacts.inverse_cube_root, rest), 1);
+    auto const make = [&](auto& view, char const* label, int length, auto behind) {
+        using View = std::decay_t<decltype(view)>;
+        view = View(uninitialized(label), length);
+        auto const rest = Kokkos::make_pair(contacts.count, length);
+        if constexpr (View::rank == 1) Kokkos::deep_copy(Kokkos::subview(view, rest), behind);
+        else Kokkos::deep_copy(Kokkos::subview(view, rest, Kokkos::ALL), behind);
+    };
+    make(contacts.first, "contact_first", n, 0);
+    make(contacts.second, "contact_second", n + second_ahead, 0);
+    if (contacts.periodic) make(contacts.image, "contact_image", n, PeriodicBox::image_code(0, 0, 0));
+    make(contacts.scale, "contact_scale", n, 1);
+    make(contacts.touching, "contact_touching", n, 0);
+    if (contacts.needs.bonds) {
+        make(contacts.inverse_cube_root, "contact_inverse_cube_root", n, 1);
+        make(contacts.adhering, "contact_adhering", n, 0);
+    }
+    if (contacts.needs.history) make(contacts.spring, "contact_spring", n, 0);
+    if (contacts.needs.contact_radius) make(contacts.contact_radius, "contact_radius", n, 0);
+    make(contacts.force, "contact_force", n + shared_rows(contacts, ExecutionSpace().concurrency()), 0);
 }
 
 /// Puts the grains that stay into locality order; returns the row that each came from.
@@ -598,7 +614,7 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);
     fill_pairs(find, found, contacts, point_of_contact);
     set_scales(particles, contacts);
-    if (old.count > 0) carry_memory(old, old_id, order, particles, contacts);
+    carry_memory(old, old_id, order, particles, contacts);
     make_incidence(particles, contacts);
     Kokkos::deep_copy(contacts.reference_position,
                       Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
