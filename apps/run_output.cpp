@@ -254,6 +254,7 @@ void RunOutput::end_stage(StageSetup const& setup, RunState& state, StageWatch& 
     s.values["time_step_s"] = planned_->dt;
     s.values["time_step_over_contact_limit"] = state.record.highest_step_ratio;
     s.values["searches"] = static_cast<Real>(setup.searches);
+    s.values["search_time_s"] = setup.search_time;
     if (state.tuned_friction >= 0) s.values["tuned_friction"] = state.tuned_friction;
     if (state.record.highest_step_ratio > 1)
         warn("time_step", fmt::format("{}: the stiffest contact would need a step {:.2f} times smaller to be surely stable",

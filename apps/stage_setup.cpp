@@ -3,6 +3,7 @@
 
 #include "apps/make_state.hpp"
 #include "apps/sample.hpp"
+#include "apps/seconds_of.hpp"
 #include "core/error.hpp"
 #include "core/wall_motion.hpp"
 #include "kernels/contact_search.hpp"
@@ -224,6 +225,20 @@ void renew_lists(StageSetup& setup, RunState& state)
     search(setup, state);
 }
 
+void search_lists(StageSetup& setup, RunState& state, View1<int> const& keep)
+{
+    try {
+        // A box that holds a stress looks at it between steps, a balance after every step.
+        auto const& box = setup.planned->settings.box;
+        bool const whole_steps = state.energy || (box && box->holds_stress());
+        search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep, whole_steps}, state.contacts);
+    } catch (InputError const& error) {
+        if (state.clock.stage_step == 0) throw;
+        throw SimulationError(error.what()); // the scene was sound when the stage began
+    }
+    search_wall_contacts(state.particles, state.walls, state.skin, setup.forces.wall_needs, state.wall_contacts);
+}
+
 } // namespace
 
 StageSetup begin_stage(Scene const& scene, PlannedStage const& planned, RunState& state)
@@ -269,16 +284,7 @@ void set_friction(StageSetup& setup, RunState& state, Real friction)
 
 void search(StageSetup& setup, RunState& state, View1<int> const& keep)
 {
-    try {
-        // A box that holds a stress looks at it between steps, a balance after every step.
-        auto const& box = setup.planned->settings.box;
-        bool const whole_steps = state.energy || (box && box->holds_stress());
-        search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep, whole_steps}, state.contacts);
-    } catch (InputError const& error) {
-        if (state.clock.stage_step == 0) throw;
-        throw SimulationError(error.what()); // the scene was sound when the stage began
-    }
-    search_wall_contacts(state.particles, state.walls, state.skin, setup.forces.wall_needs, state.wall_contacts);
+    setup.search_time += seconds_of([&] { search_lists(setup, state, keep); });
     setup.step.allowed_move = state.skin / 2;
     state.last_search = state.clock.step;
     ++setup.searches;

@@ -31,6 +31,7 @@ struct StageSetup {
     Real smallest_diameter = 1;         // m, of the scene's grains
     Real least_skin = 0, most_skin = 0; // m
     std::int64_t searches = 0;
+    double search_time = 0; // s of wall time, all of them
 };
 
 /// Walls act, contacts are searched, bonds form, forces are evaluated: the state is ready for its first step.

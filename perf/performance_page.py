@@ -178,11 +178,12 @@ def prediction(tables: Tables) -> str:
     comments, rows = tables.get("prediction")
     if not rows:
         return missing("perf/prediction/run.py")
+    searches = [row.get("search_share", "") for row in rows]  # not in older tables
     body = [[row["scene"], row["stage"], row["threads"], row["expected_steps"], row["steps"], number(row["expected_s"]), number(row["measured_s"]),
-             number(row["expected_over_measured"])] for row in rows]
+             number(row["expected_over_measured"]), f"{100 * float(share):.1f} %" if share else ""] for row, share in zip(rows, searches)]
     return ("`arenite check SCENE` predicts this from a fraction of a second of each stage, with the scene's own law, number of grains, fluid "
             "and balance sheet.\n\n" + quote(comments) + "\n" +
-            table(["scene", "stage", "threads", "steps expected", "taken", "s expected", "taken", "ratio"], body))
+            table(["scene", "stage", "threads", "steps expected", "taken", "s expected", "taken", "ratio", "in searches"], body))
 
 
 OWN_PAGES = ("speed_error",)  # tables that docs/ has a page for

@@ -10,6 +10,8 @@ Writes roofline.csv and memory.csv. Bytes and flops are counted by hand: apps/be
 from __future__ import annotations
 
 import argparse
+import collections
+import itertools
 import statistics
 import sys
 from pathlib import Path
@@ -36,34 +38,39 @@ def main() -> int:
     parser.add_argument("--arenite", type=Path, default=measure.DEFAULT_PROGRAM, help="the program under test")
     parser.add_argument("--grains", type=int, nargs="+", default=list(packs.GRAINS), choices=packs.GRAINS, help="packs")
     parser.add_argument("--threads", type=int, nargs="+", default=sorted({1, measure.cores()}))
-    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--repeats", type=int, default=3, help="rounds")
     parser.add_argument("--particle-steps", type=float, default=1.5e7, help="of a repeat; 50 steps at least, 2000 at most")
     arguments = parser.parse_args()
-    rows, memory, torn = [], [], []
-    for grains in arguments.grains:
-        pack = packs.get(grains, arguments.arenite)
-        steps = steps_for(grains, arguments.particle_steps)
-        for law in ("hertz", "jkr"):
-            hashes = set()
-            cases = [(threads, 0) for threads in arguments.threads]
-            for threads, whole in cases:
-                results = measure.bench(arguments.arenite, threads, "--pack", pack.file, "--law", law, "--steps", steps,
-                                        "--warm-up", max(5, steps // 2), "--repeats", arguments.repeats, "--limits",
-                                        *(["--whole-steps"] if whole else []))
-                if results[0]["tile_grains"] > 0:
-                    cases.append((threads, 1))
-                speeds = [result["particle_steps_per_s"] for result in results]
-                medians = [float(statistics.median(result[name] for result in results)) for name in MEDIANS]
-                hashes |= {result["state_hash"] for result in results}
-                rows.append([grains, law, threads, whole, len(results), steps, *medians, min(speeds), max(speeds),
-                             results[0]["state_hash"]])
-                print(f"{grains:8} grains, {law:5}, {threads} threads{', steps in one part' if whole else ''}: {medians[0] / 1e6:6.2f} M particle-steps/s, "
-                      f"{100 * medians[MEDIANS.index('share_of_copy')]:.0f} % of a copy", flush=True)
-                if threads == arguments.threads[0] and not whole:
-                    memory += [[grains, law, view, size] for view, size in results[0]["memory"].items()]
-            if len(hashes) > 1:
-                torn.append(f"{grains} grains, {law}: the state depends on the threads or the run: {', '.join(sorted(hashes))}")
-    head = measure.header(measure.program_info(arguments.arenite), "medians of the repeats; skin 3e-05 m, dt 1e-8 s, 1000 g",
+    results = collections.defaultdict(list)  # of (grains, law, threads, in one part)
+    for number in range(1, arguments.repeats + 1):  # round by round: a host that slows down slows all packs
+        for grains, law, threads in itertools.product(arguments.grains, ("hertz", "jkr"), arguments.threads):
+            steps = steps_for(grains, arguments.particle_steps)
+            for whole in (0, 1):
+                run = measure.bench(arguments.arenite, threads, "--pack", packs.get(grains, arguments.arenite).file, "--law", law,
+                                    "--steps", steps, "--warm-up", max(5, steps // 2), "--repeats", 1, "--limits",
+                                    *(["--whole-steps"] if whole else []))[0]
+                results[grains, law, threads, whole].append(run)
+                print(f"round {number}: {grains:8} grains, {law:5}, {threads} threads{', in one part' if whole else ''}: "
+                      f"{run['particle_steps_per_s'] / 1e6:6.2f} M particle-steps/s, {100 * run['share_of_copy']:.0f} % of a copy",
+                      flush=True)
+                if run["tile_grains"] == 0:
+                    break  # there is nothing to compare
+    rows, hashes = [], collections.defaultdict(set)
+    for (grains, law, threads, whole), runs in sorted(results.items()):
+        medians = [float(statistics.median(run[name] for run in runs)) for name in MEDIANS]
+        speeds = [run["particle_steps_per_s"] for run in runs]
+        hashes[grains, law] |= {run["state_hash"] for run in runs}
+        rows.append([grains, law, threads, whole, len(runs), runs[0]["steps"], *medians, min(speeds), max(speeds),
+                     runs[0]["state_hash"]])
+    memory = [[grains, law, view, size] for grains, law in hashes
+              for view, size in results[grains, law, arguments.threads[0], 0][0]["memory"].items()]
+    torn = [f"{grains} grains, {law}: the state depends on the threads or the run: {', '.join(sorted(found))}"
+            for (grains, law), found in hashes.items() if len(found) > 1]
+    for law, threads in itertools.product(("hertz", "jkr"), arguments.threads):
+        first, last = (results[grains, law, threads, 0] for grains in (min(arguments.grains), max(arguments.grains)))
+        growth = statistics.median(a["particle_steps_per_s"] / b["particle_steps_per_s"] for a, b in zip(first, last))
+        print(f"{law:5}, {threads} threads: the largest pack takes {growth:.2f} times the smallest one's time a particle-step")
+    head = measure.header(measure.program_info(arguments.arenite), "medians of interleaved rounds; skin 3e-05 m, dt 1e-8 s, 1000 g",
                           "copy: as much memory as the pack takes; beyond caches: 512 MiB", *torn)
     measure.write_table(measure.results_folder() / "roofline.csv", head, COLUMNS, rows)
     measure.write_table(measure.results_folder() / "memory.csv", head, ["grains", "law", "view", "bytes_per_grain"], memory)

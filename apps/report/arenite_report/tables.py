@@ -141,20 +141,24 @@ def stages(run: Run) -> Rows:
 
 
 def margins(run: Run) -> Rows:
-    """Time step against what the stiffest contact allows, steps that a neighbour search lasted, the largest overlap."""
-    rows = [["stage", "time step", "over the contact's limit", "searches", "steps a search", "largest overlap / radius"]]
+    """Time step against what the stiffest contact allows, steps that a neighbour search lasted and what searches took, the largest
+    overlap."""
+    rows = [["stage", "time step", "over the contact's limit", "searches", "steps a search", "time in searches",
+             "largest overlap / radius"]]
     for stage in run.summary.get("stages", []):
         values = stage.get("values", {})
         searches, steps = values.get("searches"), stage.get("steps", 0)
+        seconds, whole = values.get("search_time_s"), stage.get("wall_time")
         rows.append([str(stage.get("name", "")), _text(values.get("time_step_s"), "{:.4g} s"),
                      _text(values.get("time_step_over_contact_limit"), "{:.3f}"), _text(searches, "{:.0f}"),
-                     f"{steps / searches:.0f}" if searches else NONE, _text(stage.get("max_overlap_ratio"), "{:.4g}")])
+                     f"{steps / searches:.0f}" if searches else NONE, f"{seconds / whole:.1%}" if seconds and whole else NONE,
+                     _text(stage.get("max_overlap_ratio"), "{:.4g}")])
     return rows if len(rows) > 1 else []
 
 
 def other_values(run: Run) -> Rows:
     """Whatever else a stage has to tell (tuned friction, energies): what the tables above do not show."""
-    shown = {"time_step_s", "time_step_over_contact_limit", "searches"}
+    shown = {"time_step_s", "time_step_over_contact_limit", "searches", "search_time_s"}
     rows = [[str(stage.get("name", "")), name, f"{value:.6g}"] for stage in run.summary.get("stages", [])
             for name, value in stage.get("values", {}).items() if name not in shown and isinstance(value, (int, float))]
     return [["stage", "value", ""], *rows] if rows else []
