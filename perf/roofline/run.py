@@ -43,7 +43,7 @@ def main() -> int:
     arguments = parser.parse_args()
     results = collections.defaultdict(list)  # of (grains, law, threads, in one part)
     for number in range(1, arguments.repeats + 1):  # round by round: a host that slows down slows all packs
-        for grains, law, threads in itertools.product(arguments.grains, ("hertz", "jkr"), arguments.threads):
+        for law, threads, grains in itertools.product(("hertz", "jkr"), arguments.threads, arguments.grains):
             steps = steps_for(grains, arguments.particle_steps)
             for whole in (0, 1):
                 run = measure.bench(arguments.arenite, threads, "--pack", packs.get(grains, arguments.arenite).file, "--law", law,
