@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Several numbers in one: what the pair kernel computes with, so that one instruction works on as many contacts
-// as the processor's vector unit holds. The laws are templates on the number: Real where one contact is looked at (walls,
-// tests, reports) and on a GPU, whose threads are its lanes; Lanes in the pair kernel.
+// Several numbers in one: what the pair kernel and the exchange with the fluid compute with, so that one instruction works on
+// as many contacts or grains as the processor's vector unit holds. Contact laws and drag laws are templates on the number: Real
+// where one is looked at (walls, tests, reports) and on a GPU, whose threads are its lanes; Lanes in those kernels.
 //
 // A branch per contact becomes select(mask, a, b); what is rare and dear stays behind `if (any(mask))`. Every
 // lane goes through the same instructions, so a contact's bits do not depend on who shares its vector.

@@ -30,7 +30,7 @@ COLUMNS = ["grains", "law", "threads", "whole_steps", "repeats", "steps", *MEDIA
 
 
 def steps_for(grains: int, particle_steps: float) -> int:
-    return max(50, min(2000, round(particle_steps / grains)))
+    return max(50, min(6000, round(particle_steps / grains)))
 
 
 def main() -> int:
@@ -39,7 +39,7 @@ def main() -> int:
     parser.add_argument("--grains", type=int, nargs="+", default=list(packs.GRAINS), choices=packs.GRAINS, help="packs")
     parser.add_argument("--threads", type=int, nargs="+", default=sorted({1, measure.cores()}))
     parser.add_argument("--repeats", type=int, default=3, help="rounds")
-    parser.add_argument("--particle-steps", type=float, default=1.5e7, help="of a repeat; 50 steps at least, 2000 at most")
+    parser.add_argument("--particle-steps", type=float, default=5e7, help="of a round; 50 steps at least, 6000 at most")
     arguments = parser.parse_args()
     results = collections.defaultdict(list)  # of (grains, law, threads, in one part)
     for number in range(1, arguments.repeats + 1):  # round by round: a host that slows down slows all packs
