@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Several numbers in one: what the pair kernel and the exchange with the fluid compute with, so that one instruction works on
-// as many contacts or grains as the processor's vector unit holds. Contact laws and drag laws are templates on the number: Real
-// where one is looked at (walls, tests, reports) and on a GPU, whose threads are its lanes; Lanes in those kernels.
+// Several numbers in one: what the pair kernel and the exchange with the fluid compute with, so that one instruction works
+// on as many contacts or grains as the processor's vector unit holds. Contact laws and drag laws are templates on the
+// number: Real where one is looked at (walls, tests, reports) and on a GPU, whose threads are its lanes; Lanes in those
+// kernels.
 //
 // A branch per contact becomes select(mask, a, b); what is rare and dear stays behind `if (any(mask))`. Every
 // lane goes through the same instructions, so a contact's bits do not depend on who shares its vector.
@@ -176,6 +177,17 @@ using LaneMask = bool;
 
 inline constexpr int lane_count = NumberTraits<Lanes>::lanes;
 template <class N> using MaskOf = typename NumberTraits<N>::Mask;
+
+/// Groups of as many items as there are lanes.
+KOKKOS_FORCEINLINE_FUNCTION constexpr int lane_groups(int items) { return (items + lane_count - 1) / lane_count; }
+/// The items of a group; beyond the last one the last again.
+KOKKOS_FORCEINLINE_FUNCTION void items_of_group(int group, int items, int (&item)[lane_count])
+{
+    for (int n = 0; n < lane_count; ++n) {
+        int const own = group * lane_count + n;
+        item[n] = own < items ? own : items - 1;
+    }
+}
 
 template <class N>
 KOKKOS_FORCEINLINE_FUNCTION Vector<N> select(MaskOf<N> const& mask, Vector<N> const& a, Vector<N> const& b)

@@ -126,9 +126,9 @@ void number_bins(DepositStencil const& stencil, RecordView const& position, int 
 {
     Real const bins_per_block = bins_per_axis * bins_per_axis * bins_per_axis;
     Kokkos::parallel_for(
-        "number_bins", RangePolicy(0, (count + lane_count - 1) / lane_count), KOKKOS_LAMBDA(int group) {
-            int row[lane_count]; // beyond the last grain: the last again
-            for (int n = 0; n < lane_count; ++n) row[n] = Kokkos::min(group * lane_count + n, count - 1);
+        "number_bins", RangePolicy(0, lane_groups(count)), KOKKOS_LAMBDA(int group) {
+            int row[lane_count];
+            items_of_group(group, count, row);
             LaneRecords const at = load_records(position.data(), row);
             Lanes block = 0, inner = 0;
             LaneMask inside(true);

@@ -95,15 +95,12 @@ struct GrainWeights {
     {
         return on_host ? 1 : static_cast<std::ptrdiff_t>(weight.stride(1));
     }
-    /// Groups of as many entries as there are lanes.
-    KOKKOS_FUNCTION int entry_groups() const { return (entries + lane_count - 1) / lane_count; }
+    KOKKOS_FUNCTION int entry_groups() const { return lane_groups(entries); }
     /// A group's entries and the rows of their grains; beyond the last entry the last again.
     KOKKOS_FORCEINLINE_FUNCTION void entries_of(int group, int (&entry)[lane_count], int (&row)[lane_count]) const
     {
-        for (int n = 0; n < lane_count; ++n) {
-            entry[n] = Kokkos::min(group * lane_count + n, entries - 1);
-            row[n] = bins.item(entry[n]);
-        }
+        items_of_group(group, entries, entry);
+        for (int n = 0; n < lane_count; ++n) row[n] = bins.item(entry[n]);
     }
     /// How many entries on memory is asked for, ahead of its use.
     KOKKOS_FUNCTION int ahead(int entry) const { return Kokkos::min(16, entries - 1 - entry); }

@@ -14,9 +14,8 @@
 
 namespace arenite {
 
-/// Blocks of lane_count contacts that hold so many, or all.
-inline int blocks_holding(int contacts) { return (contacts + lane_count - 1) / lane_count; }
-inline int blocks_of(ContactList const& list) { return blocks_holding(list.count); }
+/// Blocks of lane_count contacts that hold all.
+inline int blocks_of(ContactList const& list) { return lane_groups(list.count); }
 
 /// From one to before another.
 struct Range {
@@ -49,7 +48,7 @@ struct ContactPass {
 /// The step in one part.
 inline ContactPass whole_step(ContactList const& list)
 {
-    int const blocks = blocks_of(list), close = std::min(blocks, blocks_holding(list.close));
+    int const blocks = blocks_of(list), close = std::min(blocks, lane_groups(list.close));
     ContactPass pass;
     pass.close = {0, close};
     pass.others = {close, blocks};
@@ -78,12 +77,12 @@ struct TileBlocks {
     }
     Range blocks_within(int section, int from) const
     {
-        int const begin = std::max(from, blocks_holding(begin_of(section, 0)));
+        int const begin = std::max(from, lane_groups(begin_of(section, 0)));
         return {begin, std::max(begin, begin_of(section + 1, 0) / lane_count)};
     }
     Range of_tiles(int section, Range const& all, int first, int end) const
     {
-        auto const begin = [&](int tile) { return std::clamp(blocks_holding(begin_of(section, tile)), all.begin, all.end); };
+        auto const begin = [&](int tile) { return std::clamp(lane_groups(begin_of(section, tile)), all.begin, all.end); };
         return {begin(first), begin(end)};
     }
 

@@ -316,11 +316,11 @@ struct PairFinder {
                                (1 + Real(1e-9)); // more than roundings of cells' faces
             int const low_z = cell_number(z - reach, cells[2]), high_z = cell_number(z + reach, cells[2]);
             int const low_y = cell_number(y - reach, cells[1]), high_y = cell_number(y + reach, cells[1]);
-            for (int cz = low_z; cz <= high_z; ++cz)
+            auto const gap = [](int layer, Real place) { return larger(larger(layer - place, place - (layer + 1)), 0); };
+            for (int cz = low_z; cz <= high_z; ++cz) {
+                Real const gap_z = gap(cz, z);
                 for (int cy = low_y; cy <= high_y; ++cy) {
-                    Real const gap_y = larger(larger(cy - y, y - (cy + 1)), 0),
-                               gap_z = larger(larger(cz - z, z - (cz + 1)), 0);
-                    Real const left = reach * reach - gap_y * gap_y - gap_z * gap_z;
+                    Real const gap_y = gap(cy, y), left = reach * reach - gap_y * gap_y - gap_z * gap_z;
                     if (left < 0) continue;
                     Real const along_x = Kokkos::sqrt(left);
                     // The cells of a row follow each other, and so do their entries.
@@ -338,6 +338,7 @@ struct PairFinder {
                         visit(point, section_of(i, point, square < near * near));
                     }
                 }
+            }
         }
     }
 };
@@ -516,23 +517,22 @@ void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<in
 {
     ContactList const list = contacts;
     View1<GrainId> const id = particles.id;
-    bool const has_old = old.count > 0, had_history = has_old && old.needs.history, had_bonds = has_old && old.needs.bonds;
-    bool const had_radius = has_old && old.needs.contact_radius;
+    ContactNeeds const had = old.needs;
     Kokkos::parallel_for(
         "carry_memory", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
             int from = -1;
             GrainId const partner = id(list.second(c));
-            if (has_old)
-                for_each_owned(old, old_row(list.first(c)), [&](int k) {
-                    if (old_id(old.second(k)) == partner) from = k;
-                });
+            for_each_owned(old, old_row(list.first(c)), [&](int k) {
+                if (old_id(old.second(k)) == partner) from = k;
+            });
             bool const known = from >= 0, touched = known && old.touching(from) != 0; // else its row may be old
             list.touching(c) = touched;
             for (int n = 0; n < 8; ++n) list.force(c, n) = touched ? old.force(from, n) : 0;
-            if (list.needs.bonds) list.adhering(c) = known && had_bonds ? old.adhering(from) : 0;
+            if (list.needs.bonds) list.adhering(c) = known && had.bonds ? old.adhering(from) : 0;
             if (list.needs.history)
-                for (int n = 0; n < 3; ++n) list.spring(c, n) = known && had_history ? old.spring(from, n) : 0;
-            if (list.needs.contact_radius) list.contact_radius(c) = known && had_radius ? old.contact_radius(from) : 0;
+                for (int n = 0; n < 3; ++n) list.spring(c, n) = known && had.history ? old.spring(from, n) : 0;
+            if (list.needs.contact_radius)
+                list.contact_radius(c) = known && had.contact_radius ? old.contact_radius(from) : 0;
         });
 }
 

@@ -25,8 +25,8 @@ MEDIANS = ["particle_steps_per_s", "evaluate_ns", "integrate_ns", "one_search_s"
            "contacts_per_grain", "bytes_per_particle_step", "flops_per_particle_step", "copy_bytes_per_s",
            "copy_bytes_per_s_beyond_caches", "multiply_add_flops_per_s", "share_of_copy", "share_of_copy_beyond_caches",
            "share_of_multiply_add", "memory_bytes_per_grain", "peak_memory_bytes_per_grain"]
-COLUMNS = ["grains", "law", "threads", "whole_steps", "repeats", "steps", *MEDIANS, "least_particle_steps_per_s", "most_particle_steps_per_s",
-           "state_hash"]
+COLUMNS = ["grains", "law", "threads", "whole_steps", "repeats", "steps", *MEDIANS, "least_particle_steps_per_s",
+           "most_particle_steps_per_s", "state_hash"]
 
 
 def steps_for(grains: int, particle_steps: float) -> int:

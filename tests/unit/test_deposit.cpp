@@ -80,6 +80,17 @@ TableView table_by_id(GrainWeights const& weights, View1<GrainId> const& id, int
     return table;
 }
 
+/// A field to interpolate, of four components.
+TableView waves(Grid const& grid)
+{
+    TableView const field = make_interpolated("field", grid, 4);
+    auto const host = Kokkos::create_mirror_view(field);
+    for (int c = 0; c < grid.cell_count(); ++c)
+        for (int q = 0; q < 4; ++q) host(c, q) = std::cos(0.7 * c + q);
+    Kokkos::deep_copy(field, host);
+    return field;
+}
+
 TableView interpolate_all(GrainWeights const& weights, TableView const& cell)
 {
     TableView value("value", weights.entries, 4);
@@ -188,12 +199,8 @@ TEST(Deposit, AGroupsMeansAreThoseOfItsEntries)
         for (Real const radius : radii)
             for (int const grains : {1, 61, 3000}) {
                 GrainWeights const weights = weights_of(grid, radius, grains_at(random_points(grid, grains)));
-                TableView const field = make_interpolated("field", grid, 4);
-                auto const host = Kokkos::create_mirror_view(field);
-                for (int c = 0; c < grid.cell_count(); ++c)
-                    for (int q = 0; q < 4; ++q) host(c, q) = std::cos(0.7 * c + q);
-                Kokkos::deep_copy(field, host);
-                TableView const one = interpolate_all(weights, field), by_group = interpolate_groups(weights, field);
+                TableView const field = waves(grid), one = interpolate_all(weights, field),
+                                by_group = interpolate_groups(weights, field);
                 for (int q = 0; q < 4; ++q)
                     EXPECT_EQ(host_column(one, q), host_column(by_group, q)) << radius << " m, " << q;
             }
@@ -206,11 +213,7 @@ TEST(Deposit, InterpolationIsTheAdjoint)
             Particles const particles = grains_at(random_points(grid, 300));
             GrainWeights const weights = weights_of(grid, radius, particles);
             TableView const amount = table_by_id(weights, particles.id, 4);
-            TableView const field = make_interpolated("field", grid, 4);
-            auto const host = Kokkos::create_mirror_view(field);
-            for (int c = 0; c < grid.cell_count(); ++c)
-                for (int q = 0; q < 4; ++q) host(c, q) = std::cos(0.7 * c + q);
-            Kokkos::deep_copy(field, host);
+            TableView const field = waves(grid);
             TableView const cell("cell", grid.cell_count(), 4);
             deposit(weights, amount, cell, 4);
             TableView const value = interpolate_all(weights, field);
