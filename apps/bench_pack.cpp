@@ -72,7 +72,9 @@ struct PreparedPack {
 
     void search()
     {
-        search_contacts(state.particles, state.box, {state.skin, forces.needs, {}, whole_steps}, state.contacts);
+        SearchSettings settings{state.skin, forces.needs, {}, whole_steps};
+        settings.forces_follow = true;
+        search_contacts(state.particles, state.box, settings, state.contacts);
         search_wall_contacts(state.particles, state.walls, state.skin, forces.wall_needs, state.wall_contacts);
     }
     void move(ContactPass const& pass)

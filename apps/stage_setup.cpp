@@ -230,8 +230,10 @@ void search_lists(StageSetup& setup, RunState& state, View1<int> const& keep)
     try {
         // A box that holds a stress looks at it between steps, a balance after every step.
         auto const& box = setup.planned->settings.box;
-        bool const whole_steps = state.energy || (box && box->holds_stress());
-        search_contacts(state.particles, state.box, {state.skin, setup.forces.needs, keep, whole_steps}, state.contacts);
+        SearchSettings settings{state.skin, setup.forces.needs, keep};
+        settings.whole_steps = state.energy || (box && box->holds_stress());
+        settings.forces_follow = !keep.is_allocated(); // grains are removed when fields and tables may be due
+        search_contacts(state.particles, state.box, settings, state.contacts);
     } catch (InputError const& error) {
         if (state.clock.stage_step == 0) throw;
         throw SimulationError(error.what()); // the scene was sound when the stage began

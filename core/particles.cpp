@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <unordered_set>
+#include <utility>
 
 namespace arenite {
 namespace {
@@ -34,13 +36,12 @@ template <class T> void reorder(View1<T>& view, View1<int> const& order, int cou
     view = sorted;
 }
 
-void reorder(RecordView& view, View1<int> const& order, int count)
+/// Into sorted, [count].
+void reorder(RecordView& view, View1<int> const& order, RecordView const& sorted)
 {
-    if (!view.is_allocated()) return;
-    RecordView const sorted(uninitialized(view.label()), count);
     RecordView const source = view;
     Kokkos::parallel_for(
-        "reorder_records", RangePolicy(0, count), KOKKOS_LAMBDA(int row) {
+        "reorder_records", RangePolicy(0, sorted.extent(0)), KOKKOS_LAMBDA(int row) {
             for (int c = 0; c < 4; ++c) sorted(row, c) = source(order(row), c);
         });
     view = sorted;
@@ -160,12 +161,41 @@ int shared_material(Particles const& particles)
     return lowest == highest ? lowest : -1;
 }
 
-void permute(Particles& particles, View1<int> const& order)
+namespace {
+
+/// take_rows(view): where the records of that view are to be, [count].
+template <class TakeRows> void permute(Particles& particles, View1<int> const& order, TakeRows const& take_rows)
 {
     int const count = static_cast<int>(order.extent(0));
-    for_each_view(particles, [&](auto& view) { reorder(view, order, count); });
+    for_each_view(particles, [&](auto& view) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(view)>, RecordView>) {
+            if (view.is_allocated()) reorder(view, order, take_rows(view));
+        } else {
+            reorder(view, order, count);
+        }
+    });
     particles.count = count;
     particles.ghosts = 0;
+}
+
+/// The first `count` records.
+RecordView part(RecordView const& view, std::size_t count)
+{
+    return Kokkos::subview(view, Kokkos::make_pair(std::size_t(0), count), Kokkos::ALL);
+}
+
+} // namespace
+
+void permute(Particles& particles, View1<int> const& order)
+{
+    permute(particles, order,
+            [&](RecordView const& view) { return RecordView(uninitialized(view.label()), order.extent(0)); });
+}
+
+void permute(Particles& particles, View1<int> const& order, RecordView& spare)
+{
+    permute(particles, order, [&](RecordView const& view) { return part(std::exchange(spare, view), order.extent(0)); });
+    spare = part(spare, order.extent(0));
 }
 
 } // namespace arenite

@@ -48,4 +48,9 @@ int shared_material(Particles const& particles);
 /// order: [grains that stay] rows. Ghosts are dropped: whoever made them makes them anew.
 void permute(Particles& particles, View1<int> const& order);
 
+/// The same for particles whose Views nobody shares: those of records take the memory of the one before them, the first that
+/// of spare, [at least the grains that stay], which has that of the last on return. Fresh memory is dear: the system clears
+/// it, and a GPU waits for it.
+void permute(Particles& particles, View1<int> const& order, RecordView& spare);
+
 } // namespace arenite

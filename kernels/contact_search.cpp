@@ -4,13 +4,14 @@
 #include "core/cell_list.hpp"
 #include "core/error.hpp"
 #include "core/lanes.hpp"
+#include "core/work_array.hpp"
 #include "kernels/contact_passes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <utility>
 
 namespace arenite {
 namespace {
@@ -429,8 +430,52 @@ void fill_pairs(PairFinder const& find, FoundPoints const& found, ContactList co
         });
 }
 
-void set_scales(Particles const& particles, ContactList const& contacts)
+template <class View> auto rows_of(View const& view, int begin, int end)
 {
+    if constexpr (View::rank == 1) return Kokkos::subview(view, Kokkos::make_pair(begin, end));
+    else return Kokkos::subview(view, Kokkos::make_pair(begin, end), Kokkos::ALL);
+}
+
+/// An array of `length` rows. Those of contacts are what it had, else still to be written; those behind them are.
+template <class View> void fit_contacts(ContactList const& contacts, View& view, char const* label, int length, int behind)
+{
+    View const before = view;
+    view = View(uninitialized(label), length);
+    Kokkos::deep_copy(rows_of(view, contacts.count, length), behind);
+    if (before.is_allocated() && contacts.count > 0)
+        Kokkos::deep_copy(rows_of(view, 0, contacts.count), rows_of(before, 0, contacts.count));
+}
+
+/// Rows of an array with one per contact.
+int padded_count(ContactList const& contacts)
+{
+    return (contacts.count + contact_block - 1) / contact_block * contact_block;
+}
+
+/// The two grains of each contact and what it remembers but its force.
+void fit_memory(ContactList& contacts)
+{
+    int const n = padded_count(contacts);
+    fit_contacts(contacts, contacts.first, "contact_first", n, 0);
+    fit_contacts(contacts, contacts.second, "contact_second", n + second_ahead, 0);
+    if (contacts.periodic) fit_contacts(contacts, contacts.image, "contact_image", n, PeriodicBox::image_code(0, 0, 0));
+    fit_contacts(contacts, contacts.touching, "contact_touching", n, 0);
+    if (contacts.needs.bonds) fit_contacts(contacts, contacts.adhering, "contact_adhering", n, 0);
+    if (contacts.needs.history) fit_contacts(contacts, contacts.spring, "contact_spring", n, 0);
+    if (contacts.needs.contact_radius) fit_contacts(contacts, contacts.contact_radius, "contact_radius", n, 0);
+}
+
+/// Contacts' force rows and those that passes share.
+int force_row_count(ContactList const& contacts)
+{
+    return padded_count(contacts) + shared_rows(contacts, ExecutionSpace().concurrency());
+}
+
+void set_scales(Particles const& particles, ContactList& contacts)
+{
+    int const n = padded_count(contacts);
+    fit_contacts(contacts, contacts.scale, "contact_scale", n, 1);
+    if (contacts.needs.bonds) fit_contacts(contacts, contacts.inverse_cube_root, "contact_inverse_cube_root", n, 1);
     ContactList const list = contacts;
     RecordView const position = particles.position, velocity = particles.velocity;
     View1<Motion> const motion = particles.motion;
@@ -510,29 +555,78 @@ void make_incidence(Particles const& particles, ContactList& contacts)
         });
 }
 
-/// What every contact remembers: each pair is looked up in the old row of its first grain, by the partner's id; a new one
-/// begins with nothing. old_row: [grain] its row in the old list.
-void carry_memory(ContactList const& old, View1<GrainId> const& old_id, View1<int> const& old_row,
-                  Particles const& particles, ContactList const& contacts)
+/// What a list remembers of its contacts. The arrays of all else are free once the list itself is.
+ContactList memory_of(ContactList const& list)
+{
+    ContactList memory;
+    memory.count = list.count;
+    memory.close = list.close;
+    memory.tile_grains = list.tile_grains;
+    memory.needs = list.needs;
+    memory.row_begin = list.row_begin;
+    memory.second = list.second;
+    memory.touching = list.touching;
+    memory.adhering = list.adhering;
+    memory.spring = list.spring;
+    memory.contact_radius = list.contact_radius;
+    memory.force = list.force;
+    return memory;
+}
+
+/// The memory of the list before, and where its contacts are: in the old row of their first grain, by their partner's id.
+struct OldContacts {
+    ContactList list;
+    View1<GrainId> id; // [old row]
+    View1<int> row;    // [grain] its row in the old list
+
+    /// -1: a new pair.
+    KOKKOS_FUNCTION int find(int grain, GrainId partner) const
+    {
+        int from = -1;
+        for_each_owned(list, row(grain), [&](int k) {
+            if (id(list.second(k)) == partner) from = k;
+        });
+        return from;
+    }
+};
+
+/// What every contact remembers but its force; a new one begins with nothing.
+void carry_memory(OldContacts const& old, Particles const& particles, ContactList const& contacts)
 {
     ContactList const list = contacts;
     View1<GrainId> const id = particles.id;
-    ContactNeeds const had = old.needs;
+    ContactNeeds const had = old.list.needs;
     Kokkos::parallel_for(
         "carry_memory", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
-            int from = -1;
-            GrainId const partner = id(list.second(c));
-            for_each_owned(old, old_row(list.first(c)), [&](int k) {
-                if (old_id(old.second(k)) == partner) from = k;
-            });
-            bool const known = from >= 0, touched = known && old.touching(from) != 0; // else its row may be old
-            list.touching(c) = touched;
-            for (int n = 0; n < 8; ++n) list.force(c, n) = touched ? old.force(from, n) : 0;
-            if (list.needs.bonds) list.adhering(c) = known && had.bonds ? old.adhering(from) : 0;
+            int const from = old.find(list.first(c), id(list.second(c)));
+            bool const known = from >= 0;
+            list.touching(c) = known && old.list.touching(from) != 0;
+            if (list.needs.bonds) list.adhering(c) = known && had.bonds ? old.list.adhering(from) : 0;
             if (list.needs.history)
-                for (int n = 0; n < 3; ++n) list.spring(c, n) = known && had.history ? old.spring(from, n) : 0;
+                for (int n = 0; n < 3; ++n) list.spring(c, n) = known && had.history ? old.list.spring(from, n) : 0;
             if (list.needs.contact_radius)
-                list.contact_radius(c) = known && had.contact_radius ? old.contact_radius(from) : 0;
+                list.contact_radius(c) = known && had.contact_radius ? old.list.contact_radius(from) : 0;
+        });
+}
+
+/// The rows of forces: zeros, or where nobody evaluates them before they are read those of the contacts that touched.
+void make_force_rows(OldContacts& old, Particles const& particles, bool forces_follow, ContactList& contacts)
+{
+    int const rows = force_row_count(contacts);
+    if (forces_follow) {
+        ForceRows const spare = std::exchange(old.list.force, {});
+        if (spare.extent_int(0) >= rows) contacts.force = rows_of(spare, 0, rows);
+    }
+    if (!contacts.force.is_allocated()) contacts.force = ForceRows(uninitialized("contact_force"), rows);
+    ContactList const list = contacts;
+    OldContacts const from = old;
+    View1<GrainId> const id = particles.id;
+    Kokkos::parallel_for(
+        "make_force_rows", RangePolicy(0, rows), KOKKOS_LAMBDA(int row) {
+            int const k = !forces_follow && row < list.count && list.touching(row) // else the old row may be an older force
+                              ? from.find(list.first(row), id(list.second(row)))
+                              : -1;
+            for (int n = 0; n < 8; ++n) list.force(row, n) = k >= 0 ? from.list.force(k, n) : 0;
         });
 }
 
@@ -544,33 +638,8 @@ int tile_of(SearchSettings const& settings, int grains)
     return grains < least_tiled_grains ? 0 : default_tile_grains;
 }
 
-/// The arrays of its count of contacts, which are still to be written; what lies behind them is.
-void allocate_contacts(ContactList& contacts)
-{
-    int const n = (contacts.count + contact_block - 1) / contact_block * contact_block;
-    auto const make = [&](auto& view, char const* label, int length, auto behind) {
-        using View = std::decay_t<decltype(view)>;
-        view = View(uninitialized(label), length);
-        auto const rest = Kokkos::make_pair(contacts.count, length);
-        if constexpr (View::rank == 1) Kokkos::deep_copy(Kokkos::subview(view, rest), behind);
-        else Kokkos::deep_copy(Kokkos::subview(view, rest, Kokkos::ALL), behind);
-    };
-    make(contacts.first, "contact_first", n, 0);
-    make(contacts.second, "contact_second", n + second_ahead, 0);
-    if (contacts.periodic) make(contacts.image, "contact_image", n, PeriodicBox::image_code(0, 0, 0));
-    make(contacts.scale, "contact_scale", n, 1);
-    make(contacts.touching, "contact_touching", n, 0);
-    if (contacts.needs.bonds) {
-        make(contacts.inverse_cube_root, "contact_inverse_cube_root", n, 1);
-        make(contacts.adhering, "contact_adhering", n, 0);
-    }
-    if (contacts.needs.history) make(contacts.spring, "contact_spring", n, 0);
-    if (contacts.needs.contact_radius) make(contacts.contact_radius, "contact_radius", n, 0);
-    make(contacts.force, "contact_force", n + shared_rows(contacts, ExecutionSpace().concurrency()), 0);
-}
-
-/// Puts the grains that stay into locality order; returns the row that each came from.
-View1<int> sort_grains(Particles& particles, PeriodicBox const& box, SearchSettings const& settings)
+/// Puts the grains that stay into locality order; returns the row that each came from. spare: of as many records.
+View1<int> sort_grains(Particles& particles, PeriodicBox const& box, SearchSettings const& settings, RecordView& spare)
 {
     if (particles.count == 0) return View1<int>("sorted_from", 0);
     check_positions(particles);
@@ -578,8 +647,30 @@ View1<int> sort_grains(Particles& particles, PeriodicBox const& box, SearchSetti
     Bounds const bounds = near_box(find_bounds(particles.position, particles.count), box);
     check_periodic_edges(box, 2 * bounds.largest + settings.skin);
     View1<int> const order = locality_order(particles, bounds, settings.keep);
-    permute(particles, order);
+    permute(particles, order, spare);
     return order;
+}
+
+/// The list but for what its contacts remember.
+void find_pairs(Particles const& particles, PeriodicBox const& box, SearchSettings const& settings, ContactList& contacts)
+{
+    Real const skin = settings.skin;
+    int const grains = particles.count;
+    contacts.tile_grains = tile_of(settings, grains);
+    contacts.row_begin = View1<int>("contact_row_begin", contacts.sections() * grains + 1);
+    if (grains == 0) return fit_memory(contacts);
+    Bounds const bounds = near_box(find_bounds(particles.position, grains), box);
+    PairFinder find{particles.position,  particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin,
+                    contacts.tile_grains};
+    find.grids = make_grids(find.points, bounds, skin);
+    FoundPoints const found = found_points_in(contacts.reference_position);
+    contacts.count = count_pairs(find, contacts, found);
+    contacts.close = count_close(contacts);
+    fit_memory(contacts);
+    View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);
+    fill_pairs(find, found, contacts, point_of_contact);
+    Kokkos::deep_copy(contacts.reference_position,
+                      Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
 }
 
 } // namespace
@@ -587,58 +678,28 @@ View1<int> sort_grains(Particles& particles, PeriodicBox const& box, SearchSetti
 void search_contacts(Particles& particles, PeriodicBox const& box, SearchSettings const& settings, ContactList& contacts)
 {
     Phase const phase("contact search");
-    Real const skin = settings.skin;
-    ContactList const old = contacts;
+    OldContacts old{memory_of(contacts), particles.id, {}};
+    RecordView records = contacts.reference_position;
     contacts = ContactList{};
+    fit(records, "reference_position", particles.count);
+    old.row = sort_grains(particles, box, settings, records);
     contacts.needs = settings.needs;
     contacts.periodic = box.any_periodic();
-    View1<GrainId> const old_id = particles.id;
-    View1<int> const order = sort_grains(particles, box, settings);
-    int const grains = particles.count;
-    contacts.tile_grains = tile_of(settings, grains);
-    contacts.row_begin = View1<int>("contact_row_begin", contacts.sections() * grains + 1);
-    contacts.reference_position = RecordView(uninitialized("reference_position"), grains);
-    if (grains == 0) {
-        allocate_contacts(contacts);
-        return make_incidence(particles, contacts);
-    }
-    Bounds const bounds = near_box(find_bounds(particles.position, grains), box);
-
-    PairFinder find{particles.position,  particles.id, make_points(particles, box, 2 * bounds.largest + skin), {}, skin,
-                    contacts.tile_grains};
-    find.grids = make_grids(find.points, bounds, skin);
-    FoundPoints const found = found_points_in(contacts.reference_position);
-    contacts.count = count_pairs(find, contacts, found);
-    contacts.close = count_close(contacts);
-    allocate_contacts(contacts);
-    View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);
-    fill_pairs(find, found, contacts, point_of_contact);
+    contacts.reference_position = records;
+    find_pairs(particles, box, settings, contacts);
+    carry_memory(old, particles, contacts);
+    make_force_rows(old, particles, settings.forces_follow, contacts);
+    old = {};
     set_scales(particles, contacts);
-    carry_memory(old, old_id, order, particles, contacts);
     make_incidence(particles, contacts);
-    Kokkos::deep_copy(contacts.reference_position,
-                      Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
 }
 
 void complete_list(Particles const& particles, ContactList& contacts)
 {
-    ContactList const saved = contacts;
     contacts.close = count_close(contacts);
-    allocate_contacts(contacts); // with as many rows beyond the last contact as the kernels of this program want
-    auto const rows = Kokkos::make_pair(0, contacts.count);
-    auto const take = [&](auto const& from, auto const& to) {
-        if (!to.is_allocated() || contacts.count == 0) return;
-        if constexpr (std::decay_t<decltype(to)>::rank == 1)
-            Kokkos::deep_copy(Kokkos::subview(to, rows), Kokkos::subview(from, rows));
-        else Kokkos::deep_copy(Kokkos::subview(to, rows, Kokkos::ALL), Kokkos::subview(from, rows, Kokkos::ALL));
-    };
-    take(saved.second, contacts.second);
-    if (contacts.periodic) take(saved.image, contacts.image);
-    take(saved.touching, contacts.touching);
-    take(saved.adhering, contacts.adhering);
-    take(saved.spring, contacts.spring);
-    take(saved.contact_radius, contacts.contact_radius);
-    take(saved.force, contacts.force);
+    // As many rows beyond the last contact as the kernels of this program want.
+    fit_memory(contacts);
+    fit_contacts(contacts, contacts.force, "contact_force", force_row_count(contacts), 0);
     ContactList const list = contacts;
     Kokkos::parallel_for(
         "complete_list", RangePolicy(0, particles.count),

@@ -22,11 +22,14 @@ struct SearchSettings {
     View1<int> keep;          // [grain] 0: the grain leaves the run (produced, lost); empty: all stay
     bool whole_steps = false; // forces of all contacts are read after every step: the list gets no tiles
     int tile_grains = 0;      // 0: as many as suit the caches
+    // All contacts are evaluated before anyone reads a force row: the rows begin with zeros, in memory of the old list's.
+    bool forces_follow = false;
 };
 
 /// Sorts the grains along a space-filling curve, wraps them into the periodic box, and rebuilds the list.
 /// Springs and bonds of pairs that stay are carried over exactly; a pair that leaves the list is forgotten
 /// (it is farther apart than any contact reaches). Grains that are not kept are dropped.
+/// Where forces follow, the search takes hardly more memory than the list that it leaves.
 /// Throws InputError if a periodic edge is shorter than two cutoffs: a pair would meet twice.
 void search_contacts(Particles& particles, PeriodicBox const& box, SearchSettings const& settings, ContactList& contacts);
 

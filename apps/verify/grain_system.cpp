@@ -40,17 +40,20 @@ void deform_box(GrainSystem& system)
     for (int axis = 0; axis < 3; ++axis) box.upper[axis] += system.settings.dt * box.strain_rate[axis] * size[axis];
 }
 
-} // namespace
-
-void rebuild(GrainSystem& system)
+void search(GrainSystem& system, bool forces_follow)
 {
     SearchSettings search;
     search.skin = system.settings.skin;
     search.needs = contact_needs(system.law, system.pairs);
     search.tile_grains = system.settings.tile_grains;
+    search.forces_follow = forces_follow;
     search_contacts(system.particles, system.settings.box, search, system.contacts);
     ++system.rebuilds;
 }
+
+} // namespace
+
+void rebuild(GrainSystem& system) { search(system, false); }
 
 void evaluate(GrainSystem& system, ContactPass const& pass)
 {
@@ -69,7 +72,7 @@ GrainSystem make_system(SystemSettings const& settings)
     std::vector<Real> densities;
     for (MaterialSettings const& material : settings.materials) densities.push_back(material.density);
     system.particles = make_particles(settings.grains, densities);
-    rebuild(system);
+    search(system, true);
     if (settings.start_bonded) form_bonds(system.particles, settings.box, system.contacts, pair_table(system.law));
     // The forces at the start: no time has passed, so springs stay as they are.
     Real const dt = system.settings.dt;
@@ -90,7 +93,7 @@ void advance(GrainSystem& system, int steps)
         ++system.steps;
         int const interval = system.settings.rebuild_interval;
         bool const stale = take_stale(system.integrator) >= 0;
-        if (stale || (interval > 0 && system.steps % interval == 0)) rebuild(system);
+        if (stale || (interval > 0 && system.steps % interval == 0)) search(system, true);
         if (!fused || n == steps - 1) {
             evaluate(system);
             kick(system.integrator, step, system.particles, system.contacts, {});

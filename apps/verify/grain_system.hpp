@@ -52,7 +52,7 @@ GrainSystem make_system(SystemSettings const& settings);
 /// Time steps; positions, velocities and forces are of one time afterwards.
 void advance(GrainSystem& system, int steps);
 
-/// Rebuilds the list of contacts as it would be when it is stale.
+/// Rebuilds the list of contacts as it would be when it is stale; contacts keep their forces.
 void rebuild(GrainSystem& system);
 
 /// Puts a grain somewhere in some motion; the list stays as it is.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstring>
 #include <limits>
@@ -212,6 +213,54 @@ TEST(ContactSearch, ForgetsThePairsOfAGrainThatLeaves)
     std::vector<ListedPair> const after = remembered(system);
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t c = 0; c < before.size(); ++c) EXPECT_TRUE(same(before[c], after[c])) << c;
+}
+
+using ForcesByPair = std::map<std::pair<GrainId, GrainId>, std::array<Real, 8>>;
+
+/// Of the contacts that touch.
+ForcesByPair forces_by_pair(GrainSystem const& system)
+{
+    ContactList const& list = system.contacts;
+    auto const id = Kokkos::create_mirror_view_and_copy(HostSpace(), system.particles.id);
+    auto const first = Kokkos::create_mirror_view_and_copy(HostSpace(), list.first);
+    auto const second = Kokkos::create_mirror_view_and_copy(HostSpace(), list.second);
+    auto const touching = Kokkos::create_mirror_view_and_copy(HostSpace(), list.touching);
+    auto const force = Kokkos::create_mirror_view_and_copy(HostSpace(), list.force);
+    ForcesByPair forces;
+    for (int c = 0; c < list.count; ++c)
+        if (touching(c))
+            for (int n = 0; n < 8; ++n) forces[{id(first(c)), id(second(c))}][n] = force(c, n);
+    return forces;
+}
+
+TEST(ContactSearch, CarriesForcesOrBeginsWithZerosWhereTheyFollow)
+{
+    for (int const tile : {0, 50}) {
+        ForcesByPair evaluated[2];
+        for (bool const follow : {false, true}) {
+            GrainSystem system = dense_system();
+            ForcesByPair const before = forces_by_pair(system);
+            ASSERT_GT(before.size(), 100u);
+            for (Real const wider : {1.7, 0.9}) { // rows that the old list has not; rows that it has
+                system.settings.skin *= wider;
+                SearchSettings settings{system.settings.skin, system.contacts.needs, {}};
+                settings.tile_grains = tile;
+                settings.forces_follow = follow;
+                search_contacts(system.particles, system.settings.box, settings, system.contacts);
+                ForcesByPair expected = before;
+                if (follow)
+                    for (auto& [pair, row] : expected) row = {};
+                EXPECT_EQ(forces_by_pair(system), expected);
+                auto const rows = Kokkos::create_mirror_view_and_copy(HostSpace(), system.contacts.force);
+                if (follow) // also of those that do not touch: the kernel leaves these as they are
+                    for (std::size_t c = 0; c < rows.extent(0); ++c) EXPECT_EQ(rows(c, 0) * rows(c, 0) + rows(c, 7), 0) << c;
+            }
+            evaluate(system);
+            evaluated[follow] = forces_by_pair(system);
+        }
+        EXPECT_EQ(evaluated[0], evaluated[1]);
+        EXPECT_GT(evaluated[1].size(), 100u);
+    }
 }
 
 // What a law does not ask for takes no memory; what it asks for is of the right size.
