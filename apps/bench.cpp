@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
 
 namespace arenite {
 
@@ -63,14 +64,14 @@ BenchPack pack_of(BenchOptions const& options, BenchSettings const& settings)
 void add_speed(BenchRun const& run, Fields& fields)
 {
     double const per = 1e9 / (static_cast<double>(run.grains) * static_cast<double>(run.steps));
-    fields.insert(fields.end(), {{"grains", number(run.grains)},
-                                 {"steps", number(static_cast<double>(run.steps))},
-                                 {"tile_grains", number(run.tile_grains)},
+    fields.insert(fields.end(), {{"grains", std::to_string(run.grains)},
+                                 {"steps", std::to_string(run.steps)},
+                                 {"tile_grains", std::to_string(run.tile_grains)},
                                  {"particle_steps_per_s", number(run.particle_steps_per_second())},
                                  {"evaluate_ns", number(run.seconds_evaluate * per)},
                                  {"integrate_ns", number(run.seconds_integrate * per)},
                                  {"search_ns", number(run.seconds_search * per)},
-                                 {"searches", number(static_cast<double>(run.searches))},
+                                 {"searches", std::to_string(run.searches)},
                                  {"one_search_s", number(run.one_search)},
                                  {"candidates_per_grain", number(run.candidates_per_grain)},
                                  {"contacts_per_grain", number(run.contacts_per_grain)}});
@@ -136,7 +137,7 @@ int run_bench(BenchOptions const& options)
         add_memory(run, fields);
         fields.insert(fields.end(), {{"skin_m", number(settings.skin)},
                                      {"backend", quoted(machine.backend)},
-                                     {"concurrency", number(machine.concurrency)},
+                                     {"concurrency", std::to_string(machine.concurrency)},
                                      {"state_hash", fmt::format("\"{:016x}\"", run.state_hash)},
                                      {"commit", quoted(build_info().commit)}});
         std::fputs((json(fields) + "\n").c_str(), stdout);

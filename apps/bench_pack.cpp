@@ -185,7 +185,9 @@ BenchPack lattice_pack(int grains, std::array<int, 3> const& proportions)
     int along[3];
     for (int axis = 0; axis < 3; ++axis) along[axis] = std::max(2, static_cast<int>(std::lround(unit * proportions[axis])));
     BenchPack pack;
-    pack.name = fmt::format("lattice{}", along[0] * along[1] * along[2]);
+    int const count = along[0] * along[1] * along[2];
+    pack.name = fmt::format("lattice{}", count);
+    pack.grains.reserve(count);
     for (int k = 0; k < along[2]; ++k)
         for (int j = 0; j < along[1]; ++j)
             for (int i = 0; i < along[0]; ++i) {

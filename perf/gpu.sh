@@ -9,8 +9,10 @@
 #   ARENITE_SECONDS  480                       for everything; nothing new begins after it
 #   ARENITE_GRAINS   "34000 270000 1000000 8000000"
 #   ARENITE_CELLS    "128 256"                 along an edge of the fluid's cube
+#   ARENITE_MEMORY   (what the card has free)  bytes, for the largest lattice that fits; where there is no card, of a process
 #   ARENITE_RESULTS  perf/results/<card>
-# grains.csv: a lattice; pack33752.csv: the shared pack. launches.csv: of tests/scenes/small.toml.
+# grains.csv: a lattice; pack33752.csv: the shared pack; largest.csv: lattices around the largest that fits.
+# launches.csv: of tests/scenes/small.toml.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -71,7 +73,7 @@ head_of() {
 }
 
 say "Grains"
-numbers="contacts_per_grain bytes_per_particle_step share_of_copy share_of_copy_beyond_caches memory_bytes_per_grain one_search_s state_hash"
+numbers="contacts_per_grain bytes_per_particle_step share_of_copy share_of_copy_beyond_caches memory_bytes_per_grain peak_memory_bytes_per_grain one_search_s state_hash"
 # bench FILE LAW STEPS PACK...: a row of the table.
 bench() {
     local lines speeds last name
@@ -120,7 +122,7 @@ for name in $tests; do
     echo "passed: $name"
 done
 head_of launches.csv stage,steps,searches,launches_per_step,waits_per_step
-sed -nE 's/^([a-z/]+) +([0-9]+) +([0-9]+) +([0-9.]+) +([0-9.]+)$/\1,\2,\3,\4,\5/p' "$build/count_launches.log" | tee -a "$results/launches.csv"
+sed -nE '/in balance/q; s/^([a-z/]+) +([0-9]+) +([0-9]+) +([0-9.]+) +([0-9.]+)$/\1,\2,\3,\4,\5/p' "$build/count_launches.log" | tee -a "$results/launches.csv"
 head_of verify.csv group,rows,failed,seconds
 for group in contact integrator search coarse_graining friction fluid coupling; do # small cases all: a GPU waits for launches
     began=$SECONDS
@@ -129,6 +131,50 @@ for group in contact integrator search coarse_graining friction fluid coupling; 
     line=$(sed -nE 's/^([0-9]+) checks, ([0-9]+) failed.*/\1,\2/p' "$build/verify_$group.log")
     [ -z "$line" ] || echo "$group,$line,$((SECONDS - began))" | tee -a "$results/verify.csv"
 done
+
+say "The largest lattice that fits"
+largest=$build/largest
+head_of largest.csv "law,grains,fits,memory_bytes,steps,particle_steps_per_s,memory_bytes_per_grain,peak_memory_bytes_per_grain,one_search_s"
+memory=${ARENITE_MEMORY:-$(nvidia-smi --query-gpu=memory.free --format=csv,noheader,nounits 2>/dev/null | awk 'NR == 1 { print $1 * 1048576 }' || true)}
+# fits GRAINS: steps and searches them, and adds a row. 0: they fit; 1: they do not; 2: that could not be seen.
+fits() {
+    local answer=yes last='' name status=0
+    (
+        command -v nvidia-smi >/dev/null || ulimit -v $((memory / 1024))
+        run "$1 grains" "$arenite" bench --grains "$1" --law jkr --warm-up 2 --steps 20 --repeats 1
+    ) >"$largest.json" 2>"$largest.log" || status=$?
+    if [ $status -eq 0 ]; then last=$(<"$largest.json")
+    elif grep -q 'failed to allocate\|bad_alloc' "$largest.log"; then answer=no
+    else
+        tail -n 3 "$largest.log" >&2
+        return 2
+    fi
+    {
+        printf 'jkr,%s,%s,%s,20' "$(field grains <<<"${last:-\"grains\": $1}")" $answer "$memory"
+        for name in particle_steps_per_s memory_bytes_per_grain peak_memory_bytes_per_grain one_search_s; do
+            printf ',%s' "$(field $name <<<"$last")"
+        done
+        echo
+    } | tee -a "$results/largest.csv"
+    [ $answer = yes ]
+}
+# Up from what the account of memory says or down from it, by 3 % at a time, to two neighbours of which one fits. A
+# fiftieth is left for what is not in the account: the driver's own and what lies between arrays.
+peak=$(awk -F, 'NR == 2 { for (n = 1; n <= NF; ++n) if ($n == "peak_memory_bytes_per_grain") column = n }
+                $1 == "jkr" { peak = $column } END { print peak }' "$results/grains.csv")
+if [ -z "$memory" ]; then echo "left out: no card, and no ARENITE_MEMORY"
+elif [ -z "$peak" ]; then echo "left out: no lattice was timed above"
+else
+    grains=$(awk -v memory="$memory" -v peak="$peak" 'BEGIN { printf "%d", 0.98 * memory / peak }')
+    first=
+    while :; do
+        status=0
+        fits "$grains" || status=$?
+        first=${first:-$status}
+        [ $status -lt 2 ] && [ $status -eq "$first" ] || break
+        grains=$((status == 0 ? grains * 103 / 100 : grains * 97 / 100))
+    done
+fi
 
 printf '\n== %d s, results in %s\n' "$SECONDS" "$results"
 [ -z "$failed" ] || { echo "failed or not reached:$failed"; exit 1; }

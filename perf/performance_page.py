@@ -208,7 +208,7 @@ def gpus(own: str) -> str:
         if folder.name == own or not (folder / "grains.csv").exists():
             continue
         parts.append(f"### {folder.name}\n")
-        for name in ("grains", "pack33752", "launches", "fluid", "coupling", "verify"):
+        for name in ("grains", "pack33752", "largest", "launches", "fluid", "coupling", "verify"):
             if not (folder / f"{name}.csv").exists():
                 continue
             comments, rows = measure.read_table(folder / f"{name}.csv")
