@@ -609,24 +609,30 @@ void carry_memory(OldContacts const& old, Particles const& particles, ContactLis
         });
 }
 
-/// The rows of forces: zeros, or where nobody evaluates them before they are read those of the contacts that touched.
-void make_force_rows(OldContacts& old, Particles const& particles, bool forces_follow, ContactList& contacts)
+/// Rows of forces, all zero, in the memory of `spare` where that has as many; else spare's is free before theirs is taken.
+void make_force_rows(ForceRows spare, ContactList& contacts)
 {
     int const rows = force_row_count(contacts);
-    if (forces_follow) {
-        ForceRows const spare = std::exchange(old.list.force, {});
-        if (spare.extent_int(0) >= rows) contacts.force = rows_of(spare, 0, rows);
-    }
+    if (spare.extent_int(0) >= rows) contacts.force = rows_of(spare, 0, rows);
+    spare = {};
     if (!contacts.force.is_allocated()) contacts.force = ForceRows(uninitialized("contact_force"), rows);
+    ForceRows const force = contacts.force;
+    Kokkos::parallel_for(
+        "clear_forces", RangePolicy(0, rows), KOKKOS_LAMBDA(int row) {
+            for (int n = 0; n < 8; ++n) force(row, n) = 0;
+        });
+}
+
+/// The forces of contacts that touched; what does not touch may have an older force in the old row.
+void carry_forces(OldContacts const& old, Particles const& particles, ContactList const& contacts)
+{
     ContactList const list = contacts;
-    OldContacts const from = old;
     View1<GrainId> const id = particles.id;
     Kokkos::parallel_for(
-        "make_force_rows", RangePolicy(0, rows), KOKKOS_LAMBDA(int row) {
-            int const k = !forces_follow && row < list.count && list.touching(row) // else the old row may be an older force
-                              ? from.find(list.first(row), id(list.second(row)))
-                              : -1;
-            for (int n = 0; n < 8; ++n) list.force(row, n) = k >= 0 ? from.list.force(k, n) : 0;
+        "carry_forces", RangePolicy(0, contacts.count), KOKKOS_LAMBDA(int c) {
+            if (!list.touching(c)) return;
+            int const from = old.find(list.first(c), id(list.second(c)));
+            for (int n = 0; n < 8; ++n) list.force(c, n) = old.list.force(from, n);
         });
 }
 
@@ -688,7 +694,8 @@ void search_contacts(Particles& particles, PeriodicBox const& box, SearchSetting
     contacts.reference_position = records;
     find_pairs(particles, box, settings, contacts);
     carry_memory(old, particles, contacts);
-    make_force_rows(old, particles, settings.forces_follow, contacts);
+    make_force_rows(settings.forces_follow ? std::exchange(old.list.force, {}) : ForceRows{}, contacts);
+    if (!settings.forces_follow) carry_forces(old, particles, contacts);
     old = {};
     set_scales(particles, contacts);
     make_incidence(particles, contacts);

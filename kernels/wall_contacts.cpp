@@ -69,6 +69,7 @@ void fill_rows(WallFinder const& find, int grains, WallContacts const& contacts)
     Kokkos::parallel_for(
         "fill_wall_contacts", RangePolicy(0, grains), KOKKOS_LAMBDA(int i) {
             int const first = list.begin(i);
+            if (list.begin(i + 1) == first) return; // most grains are far from all walls
             int filled = first;
             find(i, [&](int element) {
                 int slot = filled++;
