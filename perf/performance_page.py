@@ -145,8 +145,8 @@ def memory(tables: Tables) -> str:
     total = sum(float(row["bytes_per_grain"]) for row in parts)
     body = [[row["view"], number(row["bytes_per_grain"])] for row in large] + [["all others", f"{rest:.3g}"], ["sum", f"{total:.0f}"]]
     peak = next((number(row["peak_memory_bytes_per_grain"]) for row in runs if row["grains"] == grains and row["law"] == "jkr"), "")
-    return (quote(comments[:3]) + f"\nBytes a grain of the pack of {grains} grains under JKR, by Kokkos View; {peak} at most, while a search holds the "
-            "old lists and the new ones.\n\n" + table(["View", "bytes a grain"], body))
+    return (quote(comments[:3]) + f"\nBytes a grain of the pack of {grains} grains under JKR, by Kokkos View; {peak} at most, in a "
+            "search.\n\n" + table(["View", "bytes a grain"], body))
 
 
 def threads(tables: Tables, machine: str) -> str:
