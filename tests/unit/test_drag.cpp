@@ -153,9 +153,13 @@ TEST(Drag, EveryLaneIsOneGrain)
     for (DragLaw const law : all_laws)
         for (std::size_t first = 0; first + lane_count <= points.size(); ++first) {
             DragPoint<Real> const* const of = &points[first];
-            DragPoint<Lanes> const at{make_lanes([&](int n) { return of[n].diameter; }),
-                                      make_lanes([&](int n) { return of[n].porosity; }),
-                                      make_lanes([&](int n) { return of[n].slip_speed; })};
+            Real diameter[lane_count], porosity[lane_count], slip_speed[lane_count];
+            for (int n = 0; n < lane_count; ++n) {
+                diameter[n] = of[n].diameter;
+                porosity[n] = of[n].porosity;
+                slip_speed[n] = of[n].slip_speed;
+            }
+            DragPoint<Lanes> const at{load_lanes(diameter), load_lanes(porosity), load_lanes(slip_speed)};
             Lanes const beta =
                 std::visit([&](auto const& l) { return grain_drag_coefficient(l, at, Real(2)); }, make_drag_law(water(law)));
             for (int n = 0; n < lane_count; ++n)
