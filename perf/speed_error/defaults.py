@@ -31,7 +31,7 @@ def defaults(rows):
          {error(*STEP, "sample, perforation", "0.4", "broken bonds")}; produced mass {error(*STEP, PRODUCTION, "0.4", MASS)},
          released energy {error(*STEP, PRODUCTION, "0.4", "released energy, J")}, bonds that break meanwhile
          {error(*STEP, PRODUCTION, "0.4", "broken bonds")}; the balance lacks {error(*STEP, PRODUCTION, "0.4", BALANCE)}.
-         Another pack differs by far more (below).
+         One pack differs from another by far more (below).
          Hertz's rebound is off by {error(*STEP, "pair, Hertz, e = 0.8", "0.4", "the same, worst of 16")} at worst. At 0.6
          the rod's work is off by {error(*STEP, "sample, perforation", "0.6", "work of the rod, J")} and the energy of an
          elastic lattice swings by {error(*STEP, "elastic lattice", "0.6", SWING)} of the kinetic energy

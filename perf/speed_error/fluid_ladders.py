@@ -20,10 +20,9 @@ def coupling(runs):
         value, run = closed_forms.seepage(runs, pressed, 10, 2e-3, step=step, count=count)
         made.append(rows.exact("coupling", "C13, steady seepage", f"{step:g} s", step / grain_step, HOLE,
                                value / steady - 1, run, "steps of 1 s", value))
-    counts = {1: 1, 10: 1, 36: 4, 100: 1, 1000: 1}
-    rungs = [sample.rung(f"{n}", sample.productions(runs, sample.FRACTION, count, interval=n))
-             for n, count in counts.items()]
-    return made + rows.of_rungs("coupling", "sample, production", rungs, counts)
+    intervals = (1, 10, 36, 100, 1000)
+    rungs = [sample.rung(f"{n}", sample.productions(runs, sample.FRACTION, interval=n)) for n in intervals]
+    return made + rows.of_rungs("coupling", "sample, production", rungs, intervals, paired=True)
 
 
 def _seepages(runs, ladder, settings, label, arguments, reference):
@@ -40,10 +39,9 @@ def _seepages(runs, ladder, settings, label, arguments, reference):
 def cells(runs):
     made = _seepages(runs, "cells", (5 / 30, 0.25, 0.5, 1, 5 / 3), lambda size: f"{size:.3g} mm",
                      lambda size: {"cells": round(5 / size), "smoothing": 2e-3}, "0.167 mm")
-    sizes = {"0.5 mm": (10, 2), "1 mm": (None, 4), "1.67 mm": (3, 1)}  # the scene's own are of about 1 mm
-    rungs = [sample.rung(label, sample.productions(runs, sample.FRACTION, count, cells=n))
-             for label, (n, count) in sizes.items()]
-    return made + rows.of_rungs("cells", "sample, production", rungs, (0.5, 1, 5 / 3))
+    sizes = {"0.5 mm": 10, "1 mm": None, "1.67 mm": 3}  # the scene's own are of about 1 mm
+    rungs = [sample.rung(label, sample.productions(runs, sample.FRACTION, cells=n)) for label, n in sizes.items()]
+    return made + rows.of_rungs("cells", "sample, production", rungs, (0.5, 1, 5 / 3), paired=True)
 
 
 def smoothing(runs):

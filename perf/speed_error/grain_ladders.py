@@ -21,19 +21,11 @@ def time_step(runs):
             add(case, "the same, worst of 16", worst, run, "closed form")
         swing, run = closed_forms.lattice_energy_error(runs, fraction)
         add("elastic lattice", "energy / kinetic energy at the start", swing, run, "conserved")
-    counts = {0.2: 3, 0.4: 4, 0.6: 4, 0.8: 4}
+    fractions = (0.2, 0.4, 0.6, 0.8)
     for case, make in (("sample, perforation", sample.perforations), ("sample, production", sample.productions)):
-        rungs = [sample.rung(f"{fraction:g}", make(runs, fraction, count)) for fraction, count in counts.items()]
-        made += rows.of_rungs("time step", case, rungs, counts) + rows.of_balances("time step", case, rungs, counts)
-    return made
-
-
-def seeds(runs):
-    """Other packs of the same sand: how far one sample stands for another."""
-    made = []
-    for case, make in (("sample, perforation", sample.perforations), ("sample, production", sample.productions)):
-        rung = sample.rung("3 seeds", [make(runs, sample.FRACTION, 1, seed)[0] for seed in (1, 2, 3)])
-        made += rows.of_rungs("seeds", case, [rung], [0])
+        rungs = [sample.rung(f"{fraction:g}", make(runs, fraction)) for fraction in fractions]
+        made += rows.of_rungs("time step", case, rungs, fractions, paired=True)
+        made += rows.of_balances("time step", case, rungs, fractions)
     return made
 
 

@@ -26,13 +26,15 @@ def exact(ladder, case, setting, position, quantity, error, run, reference, valu
     return Row(ladder, case, setting, position, quantity, value, error, None, run.cpu_seconds, speed, reference)
 
 
-def of_rungs(ladder, case, rungs, positions):
-    """Every quantity of ensembles against the first of them."""
+def of_rungs(ladder, case, rungs, positions, paired=False):
+    """Every quantity of ensembles against the first of them; paired: pack by pack."""
     reference, rows = rungs[0], []
     for quantity in reference.values:
         deviation = sample.scatter(rungs, quantity)
+        doubt = sample.paired_scatter(rungs, reference, quantity) if paired else deviation
+        compare = sample.paired_difference if paired else sample.difference
         for rung, position in zip(rungs, positions):
-            error, uncertainty = sample.difference(rung, reference, quantity, deviation)
+            error, uncertainty = compare(rung, reference, quantity, doubt)
             if rung is reference:
                 error, uncertainty = None, deviation / abs(rung.mean(quantity))
             rows.append(Row(ladder, case, rung.label, position, quantity, rung.mean(quantity), error, uncertainty,

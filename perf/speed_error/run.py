@@ -20,7 +20,7 @@ import page
 import runs
 from rows import Row
 
-LADDERS = {"time_step": grain_ladders.time_step, "seeds": grain_ladders.seeds, "coupling": fluid_ladders.coupling,
+LADDERS = {"time_step": grain_ladders.time_step, "coupling": fluid_ladders.coupling,
            "k": grain_ladders.coarse_graining, "cells": fluid_ladders.cells, "smoothing": fluid_ladders.smoothing,
            "tolerance": fluid_ladders.tolerance, "skin": grain_ladders.skin}
 

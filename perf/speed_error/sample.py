@@ -2,7 +2,8 @@
 """The small bonded sample: pressed once, then perforated and produced as a rung of a ladder says, several times over.
 
 A dense pack is chaotic: a change of the step by 1e-6 of itself gives another result after some hundred collisions. So a
-rung is a few such runs, and two rungs differ only if their means differ by more than the scatter of the runs explains.
+rung is one run of each of a few packs, and is compared with another rung pack by pack: two rungs differ only if their mean
+difference is more than the scatter of the differences explains.
 """
 
 import dataclasses
@@ -15,6 +16,7 @@ from runs import HERE
 SCENE = HERE / "sample.toml"
 FRACTION = 0.4  # of the critical step, where a ladder is not about it
 FLUID_STEP = 2e-6  # s
+PACKS = (1, 2, 3, 4)  # random seeds
 
 
 def _last(column):
@@ -68,42 +70,60 @@ def rung(label, made):
     return Rung(label, made, values, residual)
 
 
-def perforations(runs, fraction, count, seed=1):
-    """`count` runs of the perforation from the pressed sample, their steps apart by 1e-6."""
-    start, made = pressed(runs, seed).last_checkpoint(), []
-    for n in range(count):
-        settings = {"random_seed": seed, "stages.perforation.time_step_fraction": fraction * (1 + 1e-6 * n)}
-        name = f"perforation-{fraction:g}-{seed}-{n}"
-        made.append(runs.scene(name, SCENE, settings, resume=start, until="perforation"))
-    return made
-
-
-def productions(runs, fraction, count, seed=1, interval=None, cells=None):
-    """`count` runs of the production from one perforated sample, the grains' steps apart by 1e-6. A fluid step is
-    `interval` grain steps, or the number nearest to FLUID_STEP; `cells` are those of each axis."""
-    start = perforations(runs, FRACTION, 1, seed)[0].last_checkpoint()
-    interval = interval or round(FLUID_STEP / (fraction * critical_step(friction=True)))
-    settings = {"random_seed": seed, "stages.perforation.time_step_fraction": FRACTION}
+def perforations(runs, fraction):
+    """The perforation of every pressed pack."""
     made = []
-    for n in range(count):
-        settings["stages.production.time_step_fraction"] = fraction * (1 + 1e-6 * n)
-        settings |= {"fluid.coupling_interval": interval, "fluid.time_step": 0}
-        if cells: settings["fluid.cells"] = [cells] * 3
-        name = f"production-{fraction:g}-{interval}-{cells or 'scene'}-{seed}-{n}"
-        made.append(runs.scene(name, SCENE, settings, resume=start))
+    for seed in PACKS:
+        settings = {"random_seed": seed, "stages.perforation.time_step_fraction": fraction}
+        made.append(runs.scene(f"perforation-{fraction:g}-{seed}", SCENE, settings,
+                               resume=pressed(runs, seed).last_checkpoint(), until="perforation"))
     return made
 
 
-def scatter(rungs, quantity):
-    """Standard deviation of a run about the mean of its rung, pooled over rungs of several runs."""
-    squares = [(value - r.mean(quantity)) ** 2 for r in rungs for value in r.values[quantity] if len(r.runs) > 1]
-    freedom = sum(len(r.runs) - 1 for r in rungs)
+def productions(runs, fraction, interval=None, cells=None):
+    """The production of every pack, perforated with FRACTION. A fluid step is `interval` grain steps, or the number nearest
+    to FLUID_STEP; `cells` are those of each axis."""
+    interval = interval or round(FLUID_STEP / (fraction * critical_step(friction=True)))
+    made = []
+    for seed, perforated in zip(PACKS, perforations(runs, FRACTION)):
+        settings = {"random_seed": seed, "stages.perforation.time_step_fraction": FRACTION,
+                    "stages.production.time_step_fraction": fraction, "fluid.coupling_interval": interval,
+                    "fluid.time_step": 0}
+        if cells: settings["fluid.cells"] = [cells] * 3
+        made.append(runs.scene(f"production-{fraction:g}-{interval}-{cells or 'scene'}-{seed}", SCENE, settings,
+                               resume=perforated.last_checkpoint()))
+    return made
+
+
+def _pooled(groups):
+    """Standard deviation of values about the mean of their group, over all groups."""
+    squares = [(value - statistics.fmean(group)) ** 2 for group in groups for value in group]
+    freedom = sum(len(group) - 1 for group in groups)
     return math.sqrt(sum(squares) / freedom)
 
 
-def difference(r, reference, quantity, deviation):
-    """(mean - reference's mean) / reference's mean, and its standard error."""
+def scatter(rungs, quantity):
+    """Standard deviation of a run about the mean of its rung."""
+    return _pooled([rung.values[quantity] for rung in rungs])
+
+
+def difference(rung, reference, quantity, deviation):
+    """(mean - reference's mean) / reference's mean, and its standard error where runs of two rungs have nothing in common."""
     base = reference.mean(quantity)
-    return (r.mean(quantity) - base) / base, deviation * math.sqrt(1 / len(r.runs) + 1 / len(reference.runs)) / abs(
-        base
-    )
+    error = deviation * math.sqrt(1 / len(rung.runs) + 1 / len(reference.runs)) / abs(base)
+    return (rung.mean(quantity) - base) / base, error
+
+
+def _changes(rung, reference, quantity):
+    """Relative difference from the reference, pack by pack."""
+    return [(value - base) / base for value, base in zip(rung.values[quantity], reference.values[quantity], strict=True)]
+
+
+def paired_scatter(rungs, reference, quantity):
+    """Standard deviation of a pack's difference from the reference about the mean of its rung."""
+    return _pooled([_changes(rung, reference, quantity) for rung in rungs if rung is not reference])
+
+
+def paired_difference(rung, reference, quantity, deviation):
+    """Mean over the packs of the relative difference from the reference, and its standard error."""
+    return statistics.fmean(_changes(rung, reference, quantity)), deviation / math.sqrt(len(rung.runs))

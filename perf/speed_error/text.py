@@ -9,10 +9,10 @@ start and output included. All rows: `perf/results/{name}/speed_error.csv`.
 
 The sample (`perf/speed_error/sample.toml`) has the paper's grains, stiffness and bonds, but 1600 grains of k = 2 in a
 box of 5 mm; it is pressed to 1 MPa, perforated and produced under 20 kPa. **A dense pack is chaotic**: a step longer by
-1e-6 of itself gives another result. So a rung is the mean of several such runs; "±" is the standard error of its
-difference from the first rung, from the scatter of all rungs. A difference within twice its "±" is none that these runs
-can show; as a difference of 1e-6 has only some milliseconds to grow, "±" is rather too small: the bonds that break in the
-production differ by -1 to +6 % between rungs of any ladder, in no order.
+1e-6 of itself gives another result. So a rung is a run of each of four random packs of the same sand, and its difference from
+the first rung is the mean over the packs, each compared with itself; "±" is the standard error of that mean, from the
+scatter of the differences in all rungs. A difference within twice its "±" is none that these runs can show. "One run ±" is
+how far one pack stands for another.
 """
 
 # title, figure, ladder, title of the settings, words
@@ -22,10 +22,7 @@ The critical step is the lattice limit that `arenite check` prints: 1.389e-7 s f
 (1e-8 s at k = 1, so 2e-8 s at k = 2) is 0.144. The pairs are grains of 0.3 mm that meet at 2 m/s, 16 of them so that the
 step falls differently into each contact. The lattice is 256 bonded grains without friction, at fractions of a limit of
 its own. The energy balance is the largest residual over the work of the rod, or over the energy that the sample held.
-Every production starts from the same perforated sample.
-"""),
-    ("Another sample", None, "seeds", "packs", """
-Three random packs of the same sand at 0.4 of the critical step: how far one sample stands for another.
+Every production of a pack starts from the same perforated sample.
 """),
     ("Coupling interval", "coupling", "coupling", "grain steps per fluid step", """
 Between fluid steps a grain keeps the fluid that the last one left. Steps of the settling grain are 2 us, those of the

@@ -69,6 +69,8 @@ MUTATIONS = [
      "Lanes const across = weight[stencil.y_slot() + b]", "Lanes const across = weight[b]", "coupling"),
     ("search: rows of cells are left out at 0.9 of the reach", "kernels/find_pairs.cpp", "(1 + Real(1e-9)); // more",
      "Real(0.9); // more", "search"),
+    ("search: force rows keep what the old list left there", "kernels/contact_memory.cpp", "force(row, n) = 0;", "force(row, n) += 0;",
+     "search integrator"),
     ("viscous term: factor 1.02 along the transverse axes", "fluid/momentum_system.hpp", "weight * coefficient * scale_of_link",
      "Real(1.02) * weight * coefficient * scale_of_link", "fluid"),
     ("slope at a wall: 8/3 to 2", "fluid/momentum_system.hpp", "Real(8) / 3 * wall_scale", "Real(2) * wall_scale", "fluid"),
