@@ -133,7 +133,7 @@ def main():
         page.append(f"\n## {group}\n\n" + table([row for row in rows if row["group"] == group]))
     page.append(FINDINGS)
     page.append("## Mutations\n\n`tests/mutations/run.py` breaks the physics in one place at a time and asks `arenite verify` whether it "
-                "notices. It is run by name (some minutes), not by ctest, and fails if a mutation survives.\n")
+                "notices. It is run by name (half an hour), not by ctest, and fails if a mutation survives.\n")
     page.append(arguments.mutations.read_text() if arguments.mutations else "Not part of this page's run.\n")
     PAGE.write_text("\n".join(page))
 
