@@ -77,9 +77,7 @@ template <class State, class Function> void for_each_contact_array(State& state,
 template <class ViewType> ViewType first_rows(ViewType const& view, int count)
 {
     ViewType const rows(uninitialized(view.label()), count);
-    auto const range = Kokkos::make_pair(0, count);
-    if constexpr (ViewType::rank == 1) Kokkos::deep_copy(rows, Kokkos::subview(view, range));
-    else Kokkos::deep_copy(rows, Kokkos::subview(view, range, Kokkos::ALL));
+    Kokkos::deep_copy(rows, rows_of(view, 0, count));
     return rows;
 }
 

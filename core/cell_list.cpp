@@ -71,11 +71,6 @@ void rank_entries(View1<int> const& cell_of_item, View1<GrainId> const& id, Cell
         });
 }
 
-View1<int> part(View1<int> const& array, int first, int length)
-{
-    return Kokkos::subview(array, Kokkos::make_pair(first, first + length));
-}
-
 } // namespace
 
 CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id, int items, int cells,
@@ -85,8 +80,8 @@ CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id
     CellList list = spare;
     int const counters = 2 * cells + 1;
     fit(list.begin, "cell_begin", counters);
-    Kokkos::deep_copy(ExecutionSpace(), part(list.begin, 0, counters), 0);
-    View1<int> const cursor = part(list.begin, cells + 1, cells);
+    Kokkos::deep_copy(ExecutionSpace(), rows_of(list.begin, 0, counters), 0);
+    View1<int> const cursor = rows_of(list.begin, cells + 1, counters);
     count_items(cell_of_item, items, list.begin);
     list.entries = scan_counts(list.begin, cells);
     fit(list.item, "cell_item", on_host ? list.entries : 2 * list.entries);
@@ -94,7 +89,7 @@ CellList make_cell_list(View1<int> const& cell_of_item, View1<GrainId> const& id
         fill_cells(cell_of_item, items, list, cursor, list.item);
         sort_cells(id, list, cells);
     } else {
-        View1<int> const filled = part(list.item, list.entries, list.entries);
+        View1<int> const filled = rows_of(list.item, list.entries, 2 * list.entries);
         fill_cells(cell_of_item, items, list, cursor, filled);
         rank_entries(cell_of_item, id, list, filled);
     }

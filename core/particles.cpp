@@ -29,7 +29,6 @@ void check_grains(std::vector<Grain> const& grains)
 
 template <class T> void reorder(View1<T>& view, View1<int> const& order, int count)
 {
-    if (!view.is_allocated()) return;
     View1<T> const sorted(uninitialized(view.label()), count);
     View1<T> const source = view;
     Kokkos::parallel_for("reorder", RangePolicy(0, count), KOKKOS_LAMBDA(int row) { sorted(row) = source(order(row)); });
@@ -62,6 +61,19 @@ template <class Operation> void for_each_view(Particles& particles, Operation co
     operation(particles.fluid_force);
     operation(particles.coasting);
     operation(particles.pressure_force);
+}
+
+/// take_rows(view): where the records of that view are to be, [grains that stay].
+template <class TakeRows> void reorder_views(Particles& particles, View1<int> const& order, TakeRows const& take_rows)
+{
+    int const count = order.extent_int(0);
+    for_each_view(particles, [&](auto& view) {
+        if (!view.is_allocated()) return;
+        if constexpr (std::is_same_v<std::decay_t<decltype(view)>, RecordView>) reorder(view, order, take_rows(view));
+        else reorder(view, order, count);
+    });
+    particles.count = count;
+    particles.ghosts = 0;
 }
 
 } // namespace
@@ -161,41 +173,17 @@ int shared_material(Particles const& particles)
     return lowest == highest ? lowest : -1;
 }
 
-namespace {
-
-/// take_rows(view): where the records of that view are to be, [count].
-template <class TakeRows> void permute(Particles& particles, View1<int> const& order, TakeRows const& take_rows)
-{
-    int const count = static_cast<int>(order.extent(0));
-    for_each_view(particles, [&](auto& view) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(view)>, RecordView>) {
-            if (view.is_allocated()) reorder(view, order, take_rows(view));
-        } else {
-            reorder(view, order, count);
-        }
-    });
-    particles.count = count;
-    particles.ghosts = 0;
-}
-
-/// The first `count` records.
-RecordView part(RecordView const& view, std::size_t count)
-{
-    return Kokkos::subview(view, Kokkos::make_pair(std::size_t(0), count), Kokkos::ALL);
-}
-
-} // namespace
-
 void permute(Particles& particles, View1<int> const& order)
 {
-    permute(particles, order,
-            [&](RecordView const& view) { return RecordView(uninitialized(view.label()), order.extent(0)); });
+    reorder_views(particles, order,
+                  [&](RecordView const& view) { return RecordView(uninitialized(view.label()), order.extent(0)); });
 }
 
 void permute(Particles& particles, View1<int> const& order, RecordView& spare)
 {
-    permute(particles, order, [&](RecordView const& view) { return part(std::exchange(spare, view), order.extent(0)); });
-    spare = part(spare, order.extent(0));
+    int const count = order.extent_int(0);
+    reorder_views(particles, order, [&](RecordView const& view) { return rows_of(std::exchange(spare, view), 0, count); });
+    spare = rows_of(spare, 0, count);
 }
 
 } // namespace arenite

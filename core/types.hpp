@@ -42,6 +42,13 @@ using FieldView = Kokkos::View<Real***, Kokkos::LayoutLeft, MemorySpace>;
 /// Allocation of a View whose every entry is written before it is read.
 inline auto uninitialized(std::string const& label) { return Kokkos::view_alloc(label, Kokkos::WithoutInitializing); }
 
+/// Rows begin .. end - 1 of a View of rank 1 or 2, in its memory.
+template <class View> auto rows_of(View const& view, int begin, int end)
+{
+    if constexpr (View::rank == 1) return Kokkos::subview(view, Kokkos::make_pair(begin, end));
+    else return Kokkos::subview(view, Kokkos::make_pair(begin, end), Kokkos::ALL);
+}
+
 /// A phase of the run, from here to the end of the block, for the profiler that is attached (Kokkos Tools). Without one it
 /// is two comparisons with a null pointer.
 using Phase = Kokkos::Profiling::ScopedRegion;

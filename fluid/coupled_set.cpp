@@ -12,7 +12,7 @@ namespace {
 View1<GrainId> sorted_ids(CoupledSet const& set)
 {
     View1<GrainId> sorted(uninitialized("sorted_ids"), set.count);
-    Kokkos::deep_copy(sorted, Kokkos::subview(set.id, Kokkos::make_pair(0, set.count)));
+    Kokkos::deep_copy(sorted, rows_of(set.id, 0, set.count));
     if (set.count > 1) Kokkos::sort(ExecutionSpace(), sorted);
     return sorted;
 }

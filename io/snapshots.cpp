@@ -8,8 +8,7 @@ namespace {
 std::vector<Real> vectors_of(RecordView const& records, int count)
 {
     if (!records.is_allocated()) return {};
-    auto const rows = Kokkos::subview(records, Kokkos::make_pair(0, count), Kokkos::ALL);
-    auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), rows);
+    auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), rows_of(records, 0, count));
     std::vector<Real> result(3 * std::size_t(count));
     for (int i = 0; i < count; ++i)
         for (int c = 0; c < 3; ++c) result[3 * std::size_t(i) + c] = host(i, c);
@@ -20,8 +19,7 @@ std::vector<Real> vectors_of(RecordView const& records, int count)
 template <class T, class ViewType> std::vector<T> values_of(ViewType const& view, int count)
 {
     if (!view.is_allocated()) return {};
-    auto const rows = Kokkos::subview(view, Kokkos::make_pair(0, count));
-    auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), rows);
+    auto const host = Kokkos::create_mirror_view_and_copy(HostSpace(), rows_of(view, 0, count));
     std::vector<T> result(count);
     for (int i = 0; i < count; ++i) result[i] = static_cast<T>(host(i));
     return result;

@@ -6,12 +6,6 @@
 namespace arenite {
 namespace {
 
-template <class View> auto rows_of(View const& view, int begin, int end)
-{
-    if constexpr (View::rank == 1) return Kokkos::subview(view, Kokkos::make_pair(begin, end));
-    else return Kokkos::subview(view, Kokkos::make_pair(begin, end), Kokkos::ALL);
-}
-
 /// An array of `length` rows. Those of contacts are what it had, else still to be written; those behind them are.
 template <class View> void fit_contacts(ContactList const& contacts, View& view, char const* label, int length, int behind)
 {
@@ -146,8 +140,6 @@ void make_incidence(Particles const& particles, ContactList& contacts)
 ContactList memory_of(ContactList const& list)
 {
     ContactList memory;
-    memory.count = list.count;
-    memory.close = list.close;
     memory.tile_grains = list.tile_grains;
     memory.needs = list.needs;
     memory.row_begin = list.row_begin;

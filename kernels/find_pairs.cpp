@@ -173,7 +173,7 @@ View1<int> locality_order(Particles const& particles, Bounds const& bounds, View
             key(i) = all_stay || keep(i) ? code : -1;
         });
     CellList const list = make_cell_list(key, particles.id, particles.count, along * along * along);
-    return Kokkos::subview(list.item, Kokkos::make_pair(0, list.entries));
+    return rows_of(list.item, 0, list.entries);
 }
 
 // ---------------------------------------------------------------- points and grids
@@ -459,8 +459,7 @@ void find_pairs(Particles const& particles, PeriodicBox const& box, SearchSettin
     fit_memory(contacts);
     View1<int> const point_of_contact(uninitialized("point_of_contact"), contacts.count);
     fill_pairs(find, found, contacts, point_of_contact);
-    Kokkos::deep_copy(contacts.reference_position,
-                      Kokkos::subview(particles.position, Kokkos::make_pair(0, grains), Kokkos::ALL));
+    Kokkos::deep_copy(contacts.reference_position, rows_of(particles.position, 0, grains));
 }
 
 } // namespace arenite

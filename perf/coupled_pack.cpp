@@ -41,6 +41,7 @@ void make_coupled_pack(int grains, std::array<int, 3> const& cells, NormalLaw la
     pack.step.dt = CoupledPack::grain_dt;
     pack.step.allowed_move = 1; // the list lasts: nothing moves far in the steps that are timed
     pack.search = {3e-5, pack.forces.needs, {}};
+    pack.search.forces_follow = true; // as in a run
     search_contacts(state.particles, state.box, pack.search, state.contacts);
     if (pack.forces.form_bonds) pack.forces.form_bonds();
     FluidState& fluid = pack.fluid;

@@ -166,12 +166,14 @@ std::vector<ListedPair> listed_pairs(GrainSystem const& system)
     auto const touching = Kokkos::create_mirror_view_and_copy(HostSpace(), list.touching);
     auto const adhering = Kokkos::create_mirror_view_and_copy(HostSpace(), list.adhering);
     auto const spring = Kokkos::create_mirror_view_and_copy(HostSpace(), list.spring);
+    auto const force = Kokkos::create_mirror_view_and_copy(HostSpace(), list.force);
     std::vector<ListedPair> pairs(list.count);
     for (int c = 0; c < list.count; ++c) {
         ListedPair& pair = pairs[c];
         pair = {id(first(c)), id(second(c)), list.periodic ? image(c) : PeriodicBox::no_image, {}, touching(c), 0};
         if (list.needs.bonds) pair.adhering = adhering(c);
         for (int n = 0; n < 3 && list.needs.history; ++n) pair.spring[n] = spring(c, n);
+        for (int n = 0; n < 8; ++n) pair.force[n] = force(c, n);
     }
     std::sort(pairs.begin(), pairs.end(), [](ListedPair const& a, ListedPair const& b) {
         return std::tie(a.first, a.second) < std::tie(b.first, b.second);

@@ -8,6 +8,7 @@
 #include "kernels/contact_search.hpp"
 #include "kernels/integrate.hpp"
 
+#include <array>
 #include <vector>
 
 namespace arenite {
@@ -84,6 +85,7 @@ struct ListedPair {
     int image;
     Real spring[3];
     int touching, adhering;
+    std::array<Real, 8> force = {}; // as ContactList::force
 };
 std::vector<ListedPair> listed_pairs(GrainSystem const& system); // by (first, second)
 

@@ -220,16 +220,9 @@ using ForcesByPair = std::map<std::pair<GrainId, GrainId>, std::array<Real, 8>>;
 /// Of the contacts that touch.
 ForcesByPair forces_by_pair(GrainSystem const& system)
 {
-    ContactList const& list = system.contacts;
-    auto const id = Kokkos::create_mirror_view_and_copy(HostSpace(), system.particles.id);
-    auto const first = Kokkos::create_mirror_view_and_copy(HostSpace(), list.first);
-    auto const second = Kokkos::create_mirror_view_and_copy(HostSpace(), list.second);
-    auto const touching = Kokkos::create_mirror_view_and_copy(HostSpace(), list.touching);
-    auto const force = Kokkos::create_mirror_view_and_copy(HostSpace(), list.force);
     ForcesByPair forces;
-    for (int c = 0; c < list.count; ++c)
-        if (touching(c))
-            for (int n = 0; n < 8; ++n) forces[{id(first(c)), id(second(c))}][n] = force(c, n);
+    for (ListedPair const& pair : listed_pairs(system))
+        if (pair.touching) forces[{pair.first, pair.second}] = pair.force;
     return forces;
 }
 
